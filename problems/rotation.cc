@@ -1,0 +1,24 @@
+#include "problems/rotation.h"
+
+namespace brachium {
+
+Eigen::Matrix3d RightJacobian(const Eigen::Vector3d& phi) {
+  const double a2 = phi.squaredNorm();
+  const Eigen::Matrix3d S = Skew<double>(phi);
+  if (a2 < 1e-8)
+    return Eigen::Matrix3d::Identity() - (0.5 - a2 / 24) * S + (1.0 / 6 - a2 / 120) * S * S;
+  const double a = std::sqrt(a2);
+  return Eigen::Matrix3d::Identity() - (1 - std::cos(a)) / a2 * S +
+         (a - std::sin(a)) / (a2 * a) * S * S;
+}
+
+Eigen::Matrix3d InverseRightJacobian(const Eigen::Vector3d& phi) {
+  const double a2 = phi.squaredNorm();
+  const Eigen::Matrix3d S = Skew<double>(phi);
+  if (a2 < 1e-8) return Eigen::Matrix3d::Identity() + 0.5 * S + (1.0 / 12 + a2 / 720) * S * S;
+  const double a = std::sqrt(a2);
+  return Eigen::Matrix3d::Identity() + 0.5 * S +
+         (1 - 0.5 * a / std::tan(0.5 * a)) / a2 * S * S;
+}
+
+}  // namespace brachium

@@ -1,0 +1,25 @@
+// The methods by name, and the options of each.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "solver/batch_smoother.h"
+#include "solver/estimator.h"
+
+namespace brachium {
+
+// One alternative per method; later methods join the list.
+using MethodOptions = std::variant<SmootherOptions>;
+
+// Default options of the method of that name ("smoother"), or none.
+std::optional<MethodOptions> DefaultOptions(const std::string& method);
+
+std::vector<std::string> MethodNames();
+
+std::unique_ptr<Estimator> MakeEstimator(const MethodOptions& options);
+
+}  // namespace brachium
