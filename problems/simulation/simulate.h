@@ -1,0 +1,35 @@
+// From a scenario to a trial: what body-worn sensors would have recorded, and the truth beside it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/simulation/scenario.h"
+#include "problems/simulation/sensor_errors.h"
+#include "problems/trial.h"
+
+namespace brachium {
+
+// A number, or a few, that an estimator may be asked for. The name says the unit (SI without).
+struct TrueValue {
+  std::string name;
+  std::vector<double> value;
+};
+
+// The trial's reference holds the segments' (bones') true attitudes, not the sensors', and the
+// joints "shoulder", "elbow" and "wrist", at the first recording's sample times.
+struct SimulatedTrial {
+  Trial trial;
+  std::vector<TrueValue> truth;
+
+  // The value of that name; absent names are the programmer's mistake and throw std::out_of_range.
+  const std::vector<double>& True(const std::string& name) const;
+};
+
+// Each sample is the mean over its cell of the exact angular rate and specific force (four-point
+// Gauss-Legendre), through scale and misalignment, plus bias, plus white noise of variance
+// N^2/(2h). Same scenario and options, same bits. A left arm is the exact mirror image of the right
+// arm's trial. Requires options.IsValid().
+SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& options);
+
+}  // namespace brachium
