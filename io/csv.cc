@@ -1,0 +1,212 @@
+#include "io/csv.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <span>
+
+#include "io/file_bytes.h"
+#include "io/input_error.h"
+#include "io/text.h"
+
+namespace brachium {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string_view Trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+// Text of the file as an error may show it: short and printable.
+std::string Shown(std::string_view cell, std::size_t longest = 40) {
+  std::string text(cell.substr(0, longest));
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e) c = '?';
+  return "'" + text + (cell.size() > longest ? "...'" : "'");
+}
+
+void RefuseBinary(std::string_view text, const std::string& file) {
+  if (text.empty()) throw InputError(file, 0, "is empty; expected a header line and rows");
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError(file, 0, "is UTF-16 text; expected UTF-8 (save it again as UTF-8)");
+  const auto is_control = [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r';
+  };
+  if (std::ranges::any_of(text.substr(0, 4096), is_control))
+    throw InputError(file, 0, "is a binary file; expected comma-separated text");
+}
+
+std::vector<std::string> SplitHeader(std::string_view line) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    std::string_view name = Trimmed(line.substr(begin, end - begin));
+    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
+      name = name.substr(1, name.size() - 2);
+    names.emplace_back(name);
+    begin = end + 1;
+  }
+  return names;
+}
+
+void CheckHeader(std::string_view line, const CsvTable& table) {
+  if (table.names.size() == 1 && line.find_first_of(";\t") != std::string_view::npos)
+    throw InputError(table.file, 1,
+                     "columns are parted by semicolons or tabs; expected commas, and decimal "
+                     "points in the numbers");
+  std::vector<std::string_view> sorted(table.names.begin(), table.names.end());
+  std::erase(sorted, "");
+  if (sorted.empty()) throw InputError(table.file, 1, "has no column names; expected a header");
+  std::ranges::sort(sorted);
+  const auto twice = std::ranges::adjacent_find(sorted);
+  if (twice != sorted.end())
+    throw InputError(table.file, 1, "column " + Shown(*twice) + " appears twice; expected once");
+}
+
+// The number that a whole cell spells, NaN when the cell is empty. A number that no double can hold
+// becomes zero or infinite.
+bool ParseCell(std::string_view cell, double* value) {
+  *value = kNaN;
+  if (cell.empty()) return true;
+  const char* const end = cell.data() + cell.size();
+  const bool plus = cell.front() == '+' && cell.size() > 1 && cell[1] != '-';
+  const auto [at, error] = std::from_chars(cell.data() + (plus ? 1 : 0), end, *value);
+  if (at != end || error == std::errc::invalid_argument) return false;
+  if (error != std::errc::result_out_of_range) return true;
+  const bool tiny = cell.find("e-") != cell.npos || cell.find("E-") != cell.npos;
+  *value = tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  return true;
+}
+
+class Rows {
+ public:
+  Rows(std::string_view text, CsvTable* table, std::vector<bool> wanted)
+      : at_(text.data()),
+        end_(text.data() + text.size()),
+        table_(*table),
+        wanted_(wanted.begin(), wanted.end()),
+        row_(table->names.size(), kNaN) {}
+
+  void Read() {
+    Reserve();
+    while (at_ < end_ && !OnlyBlankLinesLeft()) {
+      if (!ReadRow()) {
+        table_.cut_off = true;
+        return;
+      }
+      for (std::size_t c = 0; c < row_.size(); ++c)
+        if (wanted_[c]) table_.columns[c].push_back(row_[c]);
+      ++table_.rows;
+    }
+  }
+
+ private:
+  void Reserve() {
+    const auto length = static_cast<std::size_t>(std::find(at_, end_, '\n') - at_ + 1);
+    const auto rows = static_cast<std::size_t>(end_ - at_) / std::max(length, row_.size()) + 1;
+    for (std::size_t c = 0; c < row_.size(); ++c)
+      if (wanted_[c]) table_.columns[c].reserve(rows);
+  }
+
+  bool OnlyBlankLinesLeft() const {
+    if (*at_ != '\n' && *at_ != '\r') return false;
+    return std::all_of(at_, end_, [](char c) { return c == '\n' || c == '\r'; });
+  }
+
+  // False: the row is the last and was cut off.
+  bool ReadRow() {
+    row_begin_ = at_;
+    const std::size_t last = row_.size() - 1;
+    for (std::size_t c = 0; c <= last; ++c) {
+      const char* const cell_end = wanted_[c] ? ReadCell(c) : CellEnd();
+      if (cell_end == nullptr) return false;
+      at_ = cell_end;
+      const bool comma = at_ != end_ && *at_ == ',';
+      if (comma == (c == last)) return comma ? FailLength() : EndsEarly();
+      if (comma) ++at_;
+    }
+    if (at_ != end_) ++at_;
+    return true;
+  }
+
+  const char* CellEnd() const {
+    const char* p = at_;
+    while (p != end_ && *p != ',' && *p != '\n') ++p;
+    return p;
+  }
+
+  // The cell's end, or nullptr where the file breaks off within it.
+  const char* ReadCell(std::size_t c) {
+    const auto [p, error] = std::from_chars(at_, end_, row_[c]);
+    if (error == std::errc() && p != end_ && (*p == ',' || *p == '\n')) return p;
+    const char* const cell_end = CellEnd();
+    const std::string_view cell = Trimmed({at_, cell_end});
+    if (ParseCell(cell, &row_[c])) return cell_end;
+    if (cell_end == end_ && cell.find_first_not_of("0123456789+-.eE") == cell.npos) return nullptr;
+    Fail(table_.names[c] + " is " + Shown(cell) + "; expected a number with a decimal point");
+  }
+
+  bool EndsEarly() const { return at_ == end_ ? false : FailLength(); }
+
+  [[noreturn]] bool FailLength() const {
+    const auto row_end = std::find(row_begin_, end_, '\n');
+    const auto cells = static_cast<std::size_t>(std::count(row_begin_, row_end, ',')) + 1;
+    std::string what = "row has " + std::to_string(cells) + " cells; expected " +
+                       std::to_string(row_.size()) + " as in the header";
+    if (Trimmed({row_begin_, row_end}).empty()) what += " (the line is blank)";
+    if (cells >= 2 * row_.size() - 1) what += "; write decimal points where it has decimal commas";
+    Fail(what);
+  }
+
+  [[noreturn]] void Fail(const std::string& what) const {
+    throw InputError(table_.file, CsvTable::Line(table_.rows), what);
+  }
+
+  const char* at_;
+  const char* const end_;
+  const char* row_begin_ = nullptr;
+  CsvTable& table_;
+  const std::vector<char> wanted_;
+  std::vector<double> row_;
+};
+
+}  // namespace
+
+bool CsvTable::Has(std::string_view name) const {
+  return std::ranges::find(names, name) != names.end();
+}
+
+const std::vector<double>& CsvTable::Column(std::string_view name) const {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return columns[static_cast<std::size_t>(found - names.begin())];
+  const std::vector<std::string_view> present(names.begin(), names.end());
+  throw InputError(file, 1,
+                   "column '" + std::string(name) + "' is missing; the header has " +
+                       Shown(Listed(present), 200));
+}
+
+CsvTable ParseCsv(std::string_view text, const std::string& file, const ColumnFilter& wanted) {
+  RefuseBinary(text, file);
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const std::string_view header = text.substr(0, text.find('\n'));
+  CsvTable table;
+  table.file = file;
+  table.names = SplitHeader(header);
+  CheckHeader(header, table);
+  table.columns.resize(table.names.size());
+  text.remove_prefix(std::min(header.size() + 1, text.size()));
+  std::vector<bool> chosen;
+  for (const std::string& name : table.names)
+    chosen.push_back(!name.empty() && (!wanted || wanted(name)));
+  Rows(text, &table, std::move(chosen)).Read();
+  return table;
+}
+
+CsvTable ReadCsv(const std::string& file, const ColumnFilter& wanted) {
+  return ParseCsv(FileBytes(file).text(), file, wanted);
+}
+
+}  // namespace brachium

@@ -1,0 +1,50 @@
+// Numeric tables as comma-separated text: the only tokenizer of the program.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brachium {
+
+// A table of numbers. Row r stands on line r + 2 of its file, below the header.
+struct CsvTable {
+  std::string file;
+  std::vector<std::string> names;            // every column of the header, in its order
+  std::vector<std::vector<double>> columns;  // beside `names`; empty where not wanted
+  std::size_t rows = 0;
+  bool cut_off = false;  // the last line had no end and not all cells: it is left out
+
+  static std::size_t Line(std::size_t row) { return row + 2; }
+
+  bool Has(std::string_view name) const;
+
+  // The column of that name. Throws InputError when the header lacks it.
+  const std::vector<double>& Column(std::string_view name) const;
+};
+
+// Chooses the columns to be read; the others may hold anything. Empty: all.
+using ColumnFilter = std::function<bool(std::string_view name)>;
+
+// Reads a table: one header line, then one line per row, cells parted by commas, numbers with a
+// decimal point in any locale. An empty cell is NaN. A byte-order mark, CRLF, a missing end of the
+// last line and blank lines at the end are fine. Throws InputError, with line and column, for text
+// in a number, rows shorter or longer than the header, a column named twice, an empty or binary
+// file. `file` is the name that errors carry.
+CsvTable ParseCsv(std::string_view text, const std::string& file, const ColumnFilter& wanted = {});
+CsvTable ReadCsv(const std::string& file, const ColumnFilter& wanted = {});
+
+// A column to be written: `first` is its first number, the next lies `stride` doubles further.
+struct CsvColumn {
+  std::string name;
+  const double* first = nullptr;
+  std::size_t stride = 1;
+};
+
+// Writes a table that ReadCsv reads back to the same bits; NaN becomes an empty cell.
+// Throws OutputError.
+void WriteCsv(const std::string& file, std::size_t rows, const std::vector<CsvColumn>& columns);
+
+}  // namespace brachium

@@ -1,0 +1,47 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "io/csv.h"
+#include "io/output_folder.h"
+
+namespace brachium {
+namespace {
+
+constexpr std::size_t kLongestNumber = 25;  // "-1.2345678901234567e-308" and a comma
+constexpr std::size_t kBufferSize = std::size_t{1} << 18;
+
+std::string Header(const std::vector<CsvColumn>& columns) {
+  std::string line;
+  for (const CsvColumn& column : columns) line += column.name + ",";
+  if (!line.empty()) line.back() = '\n';
+  return line;
+}
+
+char* Print(double value, char* at) {
+  if (std::isnan(value)) return at;
+  return std::to_chars(at, at + kLongestNumber, value).ptr;
+}
+
+}  // namespace
+
+void WriteCsv(const std::string& file, std::size_t rows, const std::vector<CsvColumn>& columns) {
+  OutputFile output(file);
+  output.Append(Header(columns));
+  std::vector<char> buffer(kBufferSize + kLongestNumber * (columns.size() + 1));
+  char* at = buffer.data();
+  for (std::size_t row = 0; row < rows && !columns.empty(); ++row) {
+    for (const CsvColumn& column : columns) {
+      at = Print(column.first[row * column.stride], at);
+      *at++ = ',';
+    }
+    at[-1] = '\n';
+    if (at < buffer.data() + kBufferSize) continue;
+    output.Append({buffer.data(), at});
+    at = buffer.data();
+  }
+  output.Append({buffer.data(), at});
+  output.Close();
+}
+
+}  // namespace brachium
