@@ -1,0 +1,108 @@
+#include "io/recording_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "io/input_error.h"
+#include "io/text.h"
+#include "problems/rotation.h"
+
+namespace brachium {
+namespace {
+
+constexpr double kFullRange = 35.0;  // [rad/s], 2000 deg/s: the usual sensor measures no more
+constexpr double kBrisk = 20.0;      // [rad/s], seldom passed by an arm
+
+double QuantileOf(std::vector<double> values, double share) {
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, values.begin() + rank);
+  return values[static_cast<std::size_t>(rank)];
+}
+
+std::vector<double> Norms(const std::vector<Eigen::Vector3d>& vectors) {
+  std::vector<double> norms;
+  norms.reserve(vectors.size());
+  for (const Eigen::Vector3d& v : vectors) norms.push_back(v.norm());
+  return norms;
+}
+
+double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+bool ShowsOnlyGravity(const Eigen::Vector3d& f_S) {
+  return std::abs(f_S.norm() - kGravity) < 0.1 * kGravity;
+}
+
+// True when another scale of the gyroscope explains gravity three times better.
+bool Explains(const Recording& recording, double scale, double mismatch) {
+  constexpr double kLeast = 2 * kDegree;  // below it nothing turns
+  return mismatch > kLeast && mismatch > 3.0 * GravityMismatch(recording, scale);
+}
+
+void CheckAccelerometer(double acc, double gyr, const std::string& file) {
+  if (gyr > 0.8 * kGravity && gyr < 1.2 * kGravity && acc < 0.5 * kGravity)
+    throw InputError(file, 0,
+                     "gyr and acc look swapped (median norms " + Fixed(gyr, 2) + " and " +
+                         Fixed(acc, 2) + "); expected gravity in acc");
+  if (acc > 0.8 && acc < 1.2)
+    throw InputError(
+        file, 0,
+        "acc looks like g (median norm " + Fixed(acc, 3) + "); expected m/s^2, 9.81 at rest");
+  if (acc > 800.0 && acc < 1200.0)
+    throw InputError(file, 0,
+                     "acc looks like thousandths of g (median norm " + Fixed(acc, 0) +
+                         "); expected m/s^2, 9.81 at rest");
+  if (acc < 0.8)
+    throw InputError(file, 0,
+                     "acc lacks gravity (median norm " + Fixed(acc, 3) +
+                         "); expected specific force, 9.81 m/s^2 at rest");
+}
+
+}  // namespace
+
+double GravityMismatch(const Recording& recording, double gyro_scale) {
+  constexpr std::size_t kWindows = 400;
+  constexpr double kLength = 0.5;  // [s]
+  const std::size_t stride = std::max<std::size_t>(1, recording.size() / kWindows);
+  std::vector<double> angles;
+  for (std::size_t first = 0; first < recording.size(); first += stride) {
+    if (!ShowsOnlyGravity(recording.acc_S[first])) continue;
+    Eigen::Quaterniond q_first = Eigen::Quaterniond::Identity();  // first sample from this one
+    std::size_t i = first;
+    while (i + 1 < recording.size() && recording.time[i] - recording.time[first] < kLength) {
+      const double step = recording.time[i + 1] - recording.time[i];
+      const Eigen::Vector3d omega_S = 0.5 * (recording.gyr_S[i] + recording.gyr_S[i + 1]);
+      q_first = q_first * Exp<double>(gyro_scale * step * omega_S);
+      ++i;
+    }
+    if (i > first && ShowsOnlyGravity(recording.acc_S[i]))
+      angles.push_back(AngleBetween(q_first * recording.acc_S[i], recording.acc_S[first]));
+  }
+  return angles.empty() ? 0.0 : QuantileOf(std::move(angles), 0.5);
+}
+
+void CheckSensorUnits(const Recording& recording, const std::string& file, const std::string& name,
+                      Findings* findings) {
+  const std::vector<double> rates = Norms(recording.gyr_S);
+  const double acc = QuantileOf(Norms(recording.acc_S), 0.5);
+  CheckAccelerometer(acc, QuantileOf(rates, 0.5), file);
+  if (acc < 0.5 * kGravity || acc > 2.0 * kGravity)
+    findings->warnings.push_back(name + ": acc has the median norm " + Fixed(acc, 2) +
+                                 "; expected about 9.81 m/s^2");
+  const double fast = QuantileOf(rates, 0.95);
+  if (fast > kFullRange)
+    throw InputError(
+        file, 0,
+        "gyr looks like deg/s (5 % of it is above " + Fixed(fast, 0) + "); expected rad/s");
+  const double mismatch = GravityMismatch(recording, 1.0);
+  if (fast > kBrisk || Explains(recording, kDegree, mismatch))
+    findings->warnings.push_back(name + ": gyr looks like deg/s (5 % of it is above " +
+                                 Fixed(fast, 2) + "); expected rad/s");
+  else if (Explains(recording, -1.0, mismatch))
+    findings->warnings.push_back(name + ": gyr looks turned round: gravity turns the other way " +
+                                 "in acc; expected right-handed axes and specific force");
+}
+
+}  // namespace brachium

@@ -1,0 +1,198 @@
+#include "io/trial_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <string_view>
+
+#include "io/arm_json.h"
+#include "io/file_bytes.h"
+#include "io/input_error.h"
+#include "io/json_input.h"
+#include "io/mounting_json.h"
+#include "io/protocol_json.h"
+#include "io/text.h"
+
+namespace brachium {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kVersion = 1;
+constexpr std::array<std::string_view, 8> kTrialKeys = {"brachium_trial", "name",      "arm",
+                                                        "recordings",     "intervals", "start_pose",
+                                                        "reference",      "simulated"};
+constexpr std::array<std::string_view, 5> kRecordingKeys = {"segment", "file", "format", "mounting",
+                                                            "noise"};
+
+// One entry of `recordings`, before its file is read.
+struct Entry {
+  JsonNode node;
+  Segment segment;
+};
+
+std::string FolderName(const std::string& folder) {
+  fs::path path = fs::absolute(folder).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.filename().string();
+}
+
+std::vector<Entry> ParseEntries(const JsonNode& recordings, Findings* findings) {
+  std::vector<Entry> entries;
+  for (const JsonNode& node : recordings.Elements()) {
+    node.WarnOfUnknownKeys(kRecordingKeys, &findings->warnings);
+    const Segment segment = ParseSegment(node.At("segment"));
+    for (const Entry& other : entries)
+      if (other.segment == segment)
+        node.At("segment").Fail("is '" + std::string(Name(segment)) + "' as in " +
+                                other.node.path() + "; expected each segment once");
+    entries.push_back({node, segment});
+  }
+  if (entries.empty()) recordings.Fail("is empty; expected one recording or more");
+  return entries;
+}
+
+std::set<Segment> SegmentsOf(const std::vector<Entry>& entries) {
+  std::set<Segment> segments;
+  for (const Entry& entry : entries) segments.insert(entry.segment);
+  return segments;
+}
+
+void CheckChain(const JsonNode& recordings, const std::set<Segment>& recorded) {
+  if (recorded.contains(Segment::kHand) && recorded.contains(Segment::kUpperArm) &&
+      !recorded.contains(Segment::kForearm))
+    recordings.Fail(
+        "has hand and upper_arm without the forearm between them; expected a forearm recording, or "
+        "one of the two alone");
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& folder)
+      : folder_(folder), root_(ParseRoot()), entries_(), recorded_() {}
+
+  TrialFolder Read() {
+    CheckVersion();
+    root_.WarnOfUnknownKeys(kTrialKeys, &result_.warnings);
+    if (const auto simulated = root_.Find("simulated")) result_.simulated = simulated->Truth();
+    const auto name = root_.Find("name");
+    result_.trial.name = name ? name->Text() : FolderName(folder_);
+    entries_ = ParseEntries(root_.At("recordings"), &result_);
+    recorded_ = SegmentsOf(entries_);
+    CheckChain(root_.At("recordings"), recorded_);
+    Observations& observations = result_.trial.observations;
+    observations.arm = ParseArm(root_.At("arm"), recorded_, &result_);
+    for (const Entry& entry : entries_) ReadRecording(entry);
+    const Interval common = CommonTime();
+    observations.intervals = ParseIntervals(root_, common, &result_);
+    observations.start_pose = ParseStartPose(root_, common, &result_);
+    if (const auto reference = root_.Find("reference")) ReadReference(*reference, common);
+    return std::move(result_);
+  }
+
+ private:
+  JsonNode ParseRoot() {
+    const std::string file = InFolder("trial.json");
+    const FileBytes bytes(file);
+    result_.inputs.push_back({"trial.json", Sha256(bytes.text())});
+    return JsonNode::Parse(bytes.text(), file);
+  }
+
+  std::string InFolder(const std::string& file) const {
+    return (fs::path(folder_) / file).string();
+  }
+
+  void CheckVersion() const {
+    const JsonNode version = root_.At("brachium_trial");
+    if (version.Number() != kVersion)
+      version.Fail("is " + Shortest(version.Number()) + "; expected version " + Shortest(kVersion));
+  }
+
+  std::string FileOf(const JsonNode& node) const {
+    const JsonNode file = node.At("file");
+    if (!fs::is_regular_file(InFolder(file.Text())))
+      file.Fail("names '" + file.Text() + "', which is not a file in the trial folder");
+    return file.Text();
+  }
+
+  void CheckFormat(const JsonNode& node) {
+    const auto format = node.Find("format");
+    if (format && format->Text() != "csv")
+      format->Fail("is '" + format->Text() +
+                   "'; expected csv (brachium import turns other formats into it)");
+  }
+
+  std::optional<Mounting> MountingOf(const Entry& entry) {
+    const SegmentGeometry& geometry = result_.trial.observations.arm.segments.at(entry.segment);
+    if (const auto mounting = entry.node.Find("mounting"))
+      return ParseMounting(*mounting, geometry, &result_);
+    if (entries_.size() > 1) return std::nullopt;
+    result_.defaults.push_back(entry.node.path() +
+                               ".mounting = identity (the segment's axes are the sensor's)");
+    return Mounting{};
+  }
+
+  void ReadRecording(const Entry& entry) {
+    CheckFormat(entry.node);
+    const std::string name = FileOf(entry.node);
+    const std::string file = InFolder(name);
+    const FileBytes bytes(file);
+    result_.inputs.push_back({name, Sha256(bytes.text())});
+    RecordingFile read = ParseRecording(bytes.text(), file, name, entry.segment, &result_);
+    read.recording.noise = ParseNoise(entry.node, &result_);
+    read.recording.mounting = MountingOf(entry);
+    result_.trial.observations.recordings.push_back(std::move(read.recording));
+    result_.recordings.push_back(std::move(read.facts));
+  }
+
+  // The time that all recordings cover.
+  Interval CommonTime() const {
+    Interval common{.label = "", .start = -HUGE_VAL, .end = HUGE_VAL};
+    for (const Recording& recording : result_.trial.observations.recordings) {
+      common.start = std::max(common.start, recording.time.front());
+      common.end = std::min(common.end, recording.time.back());
+    }
+    if (!(common.start < common.end)) FailCommonTime();
+    return common;
+  }
+
+  [[noreturn]] void FailCommonTime() const {
+    std::string spans;
+    for (const RecordingFacts& facts : result_.recordings)
+      spans += (spans.empty() ? "" : ", ") + facts.file + " from " + Shortest(facts.start_s) +
+               " to " + Shortest(facts.start_s + facts.duration_s) + " s";
+    root_.At("recordings").Fail("have no common time (" + spans + "); expected one clock");
+  }
+
+  void ReadReference(const JsonNode& node, const Interval& common) {
+    const ReferenceEntry entry = ParseReferenceEntry(node, &result_);
+    const std::string file = InFolder(FileOf(node));
+    const FileBytes bytes(file);
+    result_.inputs.push_back({entry.file, Sha256(bytes.text())});
+    ReferenceFile read = ParseReference(bytes.text(), file, entry, recorded_, &result_);
+    const double offset = entry.clock_offset.value_or(0.0);
+    const std::vector<double>& time = read.reference.time;
+    if (entry.clock_offset &&
+        (time.back() < common.start + offset || time.front() > common.end + offset))
+      result_.warnings.push_back(entry.file + ": does not overlap the recordings in time");
+    result_.trial.reference = std::move(read.reference);
+    result_.reference = std::move(read.facts);
+  }
+
+  const std::string folder_;
+  TrialFolder result_;
+  const JsonNode root_;
+  std::vector<Entry> entries_;
+  std::set<Segment> recorded_;
+};
+
+}  // namespace
+
+TrialFolder ReadTrial(const std::string& folder) {
+  if (!fs::is_directory(folder))
+    throw InputError(folder, 0, "is not a folder; expected a trial folder with a trial.json");
+  return Reader(folder).Read();
+}
+
+}  // namespace brachium
