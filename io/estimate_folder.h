@@ -1,0 +1,23 @@
+// Estimate folders: what a method found, how it went, and how to do it again.
+#pragma once
+
+#include <string>
+
+#include "io/output_folder.h"
+#include "io/run_info.h"
+#include "problems/estimate.h"
+
+namespace brachium {
+
+// How an estimate folder is recognised, for CheckReplaceable() before long work.
+FolderKind EstimateFolderKind();
+
+// Writes estimate.csv, summary.json, timing.json and run.flags in one step. All but timing.json is
+// the same, byte for byte, for the same estimate and run. Throws OutputExists and OutputError.
+void WriteEstimate(const std::string& folder, const Estimate& estimate, const RunInfo& run,
+                   bool overwrite);
+
+// The motion, the method and the side; diagnostics and timing stay empty. Throws InputError.
+Estimate ReadEstimate(const std::string& folder);
+
+}  // namespace brachium
