@@ -1,5 +1,7 @@
 #include "problems/simulation/mirror.h"
 
+#include "problems/joint_angles.h"
+
 namespace brachium {
 namespace {
 
@@ -47,8 +49,7 @@ ArmMotion Mirrored(const ArmMotion& arm) {
 
 Mounting Mirrored(const Mounting& mounting) {
   Mounting mirrored = mounting;
-  const Quaterniond& q_BS = mounting.q_BS;
-  mirrored.q_BS = Quaterniond(q_BS.w(), -q_BS.x(), -q_BS.y(), q_BS.z());
+  mirrored.q_BS = Mirrored(mounting.q_BS);
   mirrored.p_BS_B = MirroredPolar(mounting.p_BS_B);
   return mirrored;
 }

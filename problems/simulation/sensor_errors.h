@@ -24,7 +24,8 @@ struct SoftTissue {
 SoftTissue TypicalSoftTissue();
 
 // Zero, or an absent noise, switches an error off exactly. Sizes are the same in every trial;
-// directions and signs are drawn from the seed. Defaults: the standard case of problems/README.md.
+// directions and signs are drawn from the seed. The defaults are the standard case by which
+// estimators are judged; its harder half sets soft_tissue = TypicalSoftTissue().
 struct SimulationOptions {
   std::uint64_t seed = 1;  // of all errors; a scenario has its own
   double rate = 100.0;     // [Hz]

@@ -57,10 +57,13 @@ Reference MakeReference(const Scenario& scenario, const std::vector<double>& tim
   return reference;
 }
 
-std::vector<double> List(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+// Adding zero makes -0 a plain 0.
+std::vector<double> List(const Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
 
 std::vector<double> List(const Eigen::Matrix3d& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+  std::vector<double> list;
+  for (int i = 0; i < 9; ++i) list.push_back(m(i / 3, i % 3) + 0.0);
+  return list;
 }
 
 void AddSensorTruth(const SensorTruth& sensor, std::vector<TrueValue>& truth) {
@@ -118,7 +121,8 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
 
   SimulatedTrial simulated;
   Trial& trial = simulated.trial;
-  trial.name = scenario.options.name + "-" + std::to_string(scenario.options.seed);
+  trial.name = scenario.options.name + "-" + std::string(Name(scenario.options.side)) + "-" +
+               std::to_string(scenario.options.seed);
   trial.observations.arm = ToldArm(right, options);
   if (options.tell_start_pose) trial.observations.start_pose = ToldStartPose(right, options);
   if (options.tell_rests) trial.observations.intervals = Rests(right);
