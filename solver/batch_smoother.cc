@@ -1,7 +1,123 @@
 #include "solver/batch_smoother.h"
 
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "solver/covariance.h"
+#include "solver/diagnosis.h"
+#include "solver/least_squares.h"
+#include "solver/trajectory.h"
+#include "solver/window.h"
+
 namespace brachium {
-bool SmootherOptions::IsValid(std::string*) const { return true; }
-bool BatchSmoother::Accepts(const Observations&, std::string*) const { return true; }
-Estimate BatchSmoother::Run(const Observations&, const Progress&) const { return {}; }
+namespace {
+
+// Seconds since the last call, for timing.json.
+class Stopwatch {
+ public:
+  double Lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+Observations ProximalToDistal(Observations observations) {
+  std::stable_sort(observations.recordings.begin(), observations.recordings.end(),
+                   [](const Recording& a, const Recording& b) { return a.segment < b.segment; });
+  return observations;
+}
+
+// The whole trial to convergence.
+void SolveWholeTrial(const ArmProblem& problem, State& state, int threads,
+                     Diagnostics& diagnostics) {
+  const auto summary = Solve(problem, state, {}, 0, problem.size().knots - 1,
+                             {.most_iterations = 50, .threads = threads});
+  if (diagnostics.iterations == 0) diagnostics.initial_cost = summary.initial_cost;
+  diagnostics.iterations += static_cast<int>(summary.iterations.size()) - 1;
+  diagnostics.final_cost = summary.final_cost;
+  diagnostics.gradient_norm = summary.iterations.back().gradient_max_norm;
+  diagnostics.converged = summary.termination_type == ceres::CONVERGENCE;
+  diagnostics.termination = summary.message;
+}
+
+}  // namespace
+
+bool SmootherOptions::IsValid(std::string* why) const {
+  if (!(knot_spacing_s >= 0.0)) return *why = "knot_spacing_s must not be negative", false;
+  if (!(window_s > 0.0)) return *why = "window_s must be greater than 0", false;
+  if (!(window_advance_s > 0.0 && window_advance_s <= window_s))
+    return *why = "window_advance_s must be greater than 0 and at most window_s", false;
+  if (weight_iterations < 0) return *why = "weight_iterations must not be negative", false;
+  if (threads < 1) return *why = "threads must be at least 1", false;
+  return model.IsValid(why);
+}
+
+bool BatchSmoother::Accepts(const Observations& observations, std::string* why) const {
+  std::set<Segment> segments;
+  for (const Recording& recording : observations.recordings) {
+    segments.insert(recording.segment);
+    if (observations.recordings.size() == 1 || recording.mounting) continue;
+    *why = "the mounting of the sensor on the " + std::string(Name(recording.segment)) +
+           " is missing: give its q_BS_wxyz and p_BS_m in trial.json, from a calibration";
+    return false;
+  }
+  segments.erase(Segment::kThorax);
+  if (segments.empty()) return true;
+  for (Segment segment = *segments.begin(); segment < *segments.rbegin();
+       segment = static_cast<Segment>(static_cast<int>(segment) + 1)) {
+    if (segments.count(segment)) continue;
+    *why = "there is no recording of the " + std::string(Name(segment)) +
+           ", which joins the segments that have one: add it, or leave out those beyond it";
+    return false;
+  }
+  return true;
+}
+
+Estimate BatchSmoother::Run(const Observations& observations, const Progress& progress) const {
+  Stopwatch watch;
+  Estimate estimate;
+  estimate.method = "smoother";
+  estimate.side = observations.arm.side;
+  estimate.time = observations.recordings.front().time;
+  Diagnostics& diagnostics = estimate.diagnostics;
+  const auto stage = [&](const char* name) { estimate.timing.push_back({name, watch.Lap()}); };
+
+  ArmProblem problem(ProximalToDistal(observations), options_.model, options_.knot_spacing_s);
+  stage("preintegration");
+
+  State state = problem.PriorState();
+  const WindowReport windows = SolveForward(
+      problem, state, {options_.window_s, options_.window_advance_s}, progress);
+  stage("windows");
+
+  if (options_.whole_trial) SolveWholeTrial(problem, state, options_.threads, diagnostics);
+  Certainty certainty = AssessCertainty(problem, state);
+  for (int i = 0; i < options_.weight_iterations && options_.whole_trial; ++i) {
+    if (progress) progress("whole trial", (i + 1.0) / (options_.weight_iterations + 1.0));
+    problem.SetUnmodelledAcceleration(certainty.unmodelled_acceleration);
+    SolveWholeTrial(problem, state, options_.threads, diagnostics);
+    certainty = AssessCertainty(problem, state);
+  }
+  stage("whole trial");
+
+  FillTrajectory(problem, state, estimate);
+  diagnostics.singular = !certainty.singular.empty();
+  diagnostics.residuals = DescribeResiduals(problem, state);
+  diagnostics.constants = DescribeConstants(problem, state, certainty);
+  diagnostics.held_by_prior = HeldByPrior(problem, certainty);
+  diagnostics.rests = DescribeRests(problem);
+  diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},
+                         {"windows", static_cast<double>(windows.windows)},
+                         {"window_iterations", static_cast<double>(windows.iterations)},
+                         {"start_heading_span_s", windows.settling_span}};
+  stage("results");
+  return estimate;
+}
+
 }  // namespace brachium

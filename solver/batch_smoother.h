@@ -4,15 +4,19 @@
 
 #include <string>
 
+#include "problems/arm_problem.h"
 #include "solver/estimator.h"
 
 namespace brachium {
 
-// Sigmas are physical: they depend neither on the sampling rate nor on the knot spacing.
 struct SmootherOptions {
   double knot_spacing_s = 0.05;
   bool whole_trial = true;
   double window_s = 5.0;
+  double window_advance_s = 2.5;
+  int weight_iterations = 2;
+  int threads = 1;
+  ModelOptions model;
 
   bool IsValid(std::string* why) const;
 
@@ -24,8 +28,16 @@ struct SmootherOptions {
           "Time between instants with unknowns [s]. Smaller follows faster motion and costs more; "
           "0 puts one at every sample.");
     visit("whole_trial", options.whole_trial,
-          "Solve the whole trial at once after the windows. Off: windows only, memory bounded.");
+          "Solve the whole trial at once after the windows. Off: windows only.");
     visit("window_s", options.window_s, "Length of a forward window [s].");
+    visit("window_advance_s", options.window_advance_s,
+          "From the start of one window to the start of the next [s].");
+    visit("weight_iterations", options.weight_iterations,
+          "How often the accelerometers' weights are estimated from the residuals and the trial "
+          "solved again. 0 keeps the first guess.");
+    visit("threads", options.threads,
+          "Threads of one solve. The answer depends on their number in the last digits.");
+    ModelOptions::Visit(options.model, visit);
   }
 };
 

@@ -1,0 +1,181 @@
+// The objective: which residuals stand between which unknowns of a trial.
+//
+// Terms are in order of the first knot that they touch, so that a method can take them in time order:
+// everything before a knot, a window, or all of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "problems/observations.h"
+#include "problems/preintegration.h"
+#include "problems/residuals/cost.h"
+#include "problems/state.h"
+#include "problems/stillness.h"
+#include "problems/timeline.h"
+
+namespace brachium {
+
+// How far the relations hold. Physical sigmas, independent of sampling rate and knot spacing.
+struct ModelOptions {
+  double elbow_adduction_sigma_deg = 5.0;
+  double elbow_adduction_correlation_s = 2.0;
+  double zero_velocity_sigma_m_s = 0.005;
+  double zero_velocity_correlation_s = 0.5;
+  double range_of_motion_sigma_deg = 5.0;
+  double rest_sway_deg = 0.05;
+  double gyro_scale = 0.0005;
+  double accel_scale_sigma = 0.01;
+  double unmodelled_acceleration = 0.1;
+  double unmodelled_correlation_s = 0.1;
+  double bias_node_spacing_s = 5.0;
+
+  template <typename Options, typename Visitor>
+  static void Visit(Options& options, Visitor&& visit) {
+    visit("elbow_adduction_sigma_deg", options.elbow_adduction_sigma_deg,
+          "Deviation of the elbow from its carrying angle [deg]: joint play and soft tissue. Less "
+          "ties the relative heading down harder, and to a wrong value where the elbow deviates.");
+    visit("elbow_adduction_correlation_s", options.elbow_adduction_correlation_s,
+          "How long such a deviation lasts [s]. More trusts each second of the constraint less.");
+    visit("zero_velocity_sigma_m_s", options.zero_velocity_sigma_m_s,
+          "Velocity left in a rest [m/s].");
+    visit("zero_velocity_correlation_s", options.zero_velocity_correlation_s,
+          "How long a residual velocity lasts in a rest [s].");
+    visit("range_of_motion_sigma_deg", options.range_of_motion_sigma_deg,
+          "How softly the elbow's stops give way [deg].");
+    visit("rest_sway_deg", options.rest_sway_deg,
+          "Least rms turn of a segment to and fro in a rest [deg].");
+    visit("gyro_scale", options.gyro_scale, "Relative scale error left in the gyroscopes [1].");
+    visit("accel_scale_sigma", options.accel_scale_sigma,
+          "Relative scale error of each accelerometer axis, estimated [1].");
+    visit("unmodelled_acceleration", options.unmodelled_acceleration,
+          "First guess of the acceleration that the model leaves out [m/s^2]; each sensor's own is "
+          "then estimated from its residuals.");
+    visit("unmodelled_correlation_s", options.unmodelled_correlation_s,
+          "How long an acceleration that the model leaves out lasts [s].");
+    visit("bias_node_spacing_s", options.bias_node_spacing_s,
+          "Time between the nodes of the gyro biases [s], linear between them.");
+  }
+
+  bool IsValid(std::string* why) const;
+};
+
+enum class ResidualKind {
+  kGyroscope,
+  kAccelerometer,
+  kElbowAdduction,
+  kShoulderProcess,
+  kZeroVelocity,
+  kGyroBiasRest,
+  kGyroBiasWalk,
+  kStartPose,
+  kRangeOfMotion,
+  kPrior,
+  kSegmentLength,
+  kGauge,
+  kMarginalPrior,
+};
+std::string_view Name(ResidualKind kind);
+
+struct Unknown {
+  UnknownKind kind = UnknownKind::kAttitude;
+  int place = -1;   // knot or node; -1 for a constant of the trial
+  int sensor = -1;  // or root
+  int Size() const;
+  int Tangent() const { return TangentSize(Size()); }
+};
+
+struct Term {
+  std::unique_ptr<TangentCost> cost;
+  std::vector<int> unknowns;  // indices, in the order of the cost's blocks
+  ResidualKind kind = ResidualKind::kPrior;
+  int sensor = -1;      // whose samples, or -1
+  int first_knot = 0;   // at whose elimination the term is used up
+  int last_knot = 0;    // at which the term enters
+};
+
+class ArmProblem {
+ public:
+  // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
+  ArmProblem(const Observations& observations, const ModelOptions& options,
+             double knot_spacing);
+
+  const Timeline& timeline() const { return timeline_; }
+  const StateSize& size() const { return size_; }
+  const std::vector<Term>& terms() const { return terms_; }
+  int unknowns() const { return first_constant_ + static_cast<int>(constants_.size()); }
+  Unknown Describe(int unknown) const;
+  double* Value(State& state, int unknown) const;
+
+  // Indices of unknowns.
+  int Attitude(int knot, int sensor) const { return knot * per_knot_ + sensor; }
+  int Root(int knot, int root) const { return knot * per_knot_ + size_.sensors + root; }
+  int Velocity(int knot, int sensor) const {
+    return knot * per_knot_ + size_.sensors + size_.roots + sensor;
+  }
+  int GyroBias(int node, int sensor) const { return first_node_ + node * size_.sensors + sensor; }
+  int Constant(UnknownKind kind, int sensor) const;  // -1 where the problem has none
+  int FirstConstant() const { return first_constant_; }
+
+  // The sensors whose segments lie between the root and this one, this one last.
+  std::vector<int> Chain(int sensor) const;
+  int RootOf(int sensor) const { return has_thorax_ && sensor > 0 ? 1 : 0; }
+  int FirstOfArm() const { return has_thorax_ && size_.sensors > 1 ? 1 : 0; }
+  int SensorOn(Segment segment) const;  // -1: none
+
+  const Preintegrated& Interval(int knot, int sensor) const {
+    return intervals_[static_cast<std::size_t>(knot * size_.sensors + sensor)];
+  }
+  const Preintegrator& Samples(int sensor) const {
+    return preintegrators_[static_cast<std::size_t>(sensor)];
+  }
+  const std::vector<RestInterval>& Rests(int sensor) const {
+    return rests_[static_cast<std::size_t>(sensor)];
+  }
+  const Observations& observations() const { return observations_; }
+  const ModelOptions& options() const { return options_; }
+
+  // A state with every constant at its prior mean, biases from the rests, knots not yet set.
+  State PriorState() const;
+
+  // The unmodelled acceleration of each sensor [m/s²]; setting it renews the accelerometers' weights.
+  const std::vector<double>& unmodelled_acceleration() const { return unmodelled_; }
+  void SetUnmodelledAcceleration(const std::vector<double>& sigma);
+
+  // Ties the heading of the first segment at the first knot to this attitude.
+  void FixHeading(const Eigen::Quaterniond& q_WB);
+
+  // Two-sided density of what an accelerometer's interval leaves out, white noise apart [m²/s³].
+  double UnmodelledDensity(int knot, int sensor, double sigma) const;
+
+ private:
+  void AddConstants();
+  void AddGyroscope(int knot, int sensor);
+  void AddAccelerometer(int knot, int sensor);
+  void AddElbow();
+  void AddShoulder();
+  void AddRests(int sensor);
+  void AddBiasWalk(int sensor);
+  void AddStart();
+  template <typename Residual>
+  void Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor, int first,
+           int last);
+  std::unique_ptr<TangentCost> MakeAccelerometer(int knot, int sensor) const;
+
+  Observations observations_;
+  ModelOptions options_;
+  Timeline timeline_;
+  StateSize size_;
+  bool has_thorax_ = false;
+  int per_knot_ = 0, first_node_ = 0, first_constant_ = 0;
+  std::vector<Unknown> constants_;
+  std::vector<Preintegrator> preintegrators_;
+  std::vector<std::vector<RestInterval>> rests_;
+  std::vector<Preintegrated> intervals_;
+  std::vector<double> unmodelled_;
+  std::vector<Term> terms_;
+};
+
+}  // namespace brachium

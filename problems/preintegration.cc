@@ -1,0 +1,120 @@
+#include "problems/preintegration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problems/rotation.h"
+
+namespace brachium {
+namespace {
+
+using Eigen::Vector3d;
+
+// A step beyond this many usual ones means that samples are missing.
+constexpr double kGapFactor = 1.8;
+
+// How far a signal can leave the straight line across a gap of length h: a curvature times h², no
+// more than what an arm reaches at all.
+constexpr double kRateCurvature = 50.0;    // [rad/s³]
+constexpr double kRateLimit = 3.0;         // [rad/s]
+constexpr double kForceCurvature = 100.0;  // [m/s⁴]
+constexpr double kForceLimit = 10.0;       // [m/s²]
+
+}  // namespace
+
+struct Preintegrator::Cell {
+  double h;
+  Vector3d w, f, w_slope, f_slope;
+};
+
+Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPeriod(recording)) {
+  const double period = period_;
+  const std::size_t n = recording.size();
+  const auto push = [this](double begin, double centre, const Vector3d& gyr, const Vector3d& acc,
+                           bool gap) {
+    edges_.push_back(begin);
+    centres_.push_back(centre);
+    gyr_.push_back(gyr);
+    acc_.push_back(acc);
+    is_gap_.push_back(gap);
+  };
+  double begin = recording.time[0] - period / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    push(begin, recording.time[i], recording.gyr_S[i], recording.acc_S[i], false);
+    if (i + 1 == n) break;
+    const double step = recording.time[i + 1] - recording.time[i];
+    begin = recording.time[i] + step / 2;
+    if (step <= kGapFactor * period) continue;
+    push(recording.time[i] + period / 2, begin, 0.5 * (recording.gyr_S[i] + recording.gyr_S[i + 1]),
+         0.5 * (recording.acc_S[i] + recording.acc_S[i + 1]), true);
+    begin = recording.time[i + 1] - period / 2;
+  }
+  edges_.push_back(recording.time[n - 1] + period / 2);
+
+  gyr_slope_.assign(gyr_.size(), Vector3d::Zero());
+  acc_slope_.assign(acc_.size(), Vector3d::Zero());
+  for (std::size_t i = 1; i + 1 < gyr_.size(); ++i) {
+    const double span = centres_[i + 1] - centres_[i - 1];
+    gyr_slope_[i] = (gyr_[i + 1] - gyr_[i - 1]) / span;
+    acc_slope_[i] = (acc_[i + 1] - acc_[i - 1]) / span;
+  }
+}
+
+// The part of a cell inside [start, end], its values moved along the slope to the part's centre.
+Preintegrator::Cell Preintegrator::Clip(std::size_t cell, double start, double end) const {
+  const double from = std::max(start, edges_[cell]), to = std::min(end, edges_[cell + 1]);
+  const double shift = 0.5 * (from + to) - 0.5 * (edges_[cell] + edges_[cell + 1]);
+  return {to - from, gyr_[cell] + shift * gyr_slope_[cell], acc_[cell] + shift * acc_slope_[cell],
+          gyr_slope_[cell], acc_slope_[cell]};
+}
+
+Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_bias) const {
+  Preintegrated sum;
+  sum.duration = end - start;
+  sum.gyro_bias = gyro_bias;
+  const auto first = std::upper_bound(edges_.begin(), edges_.end(), start) - edges_.begin() - 1;
+  for (auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first, 0));
+       i < gyr_.size() && edges_[i] < end; ++i) {
+    const auto [h, gyr, f, w_slope, f_slope] = Clip(i, start, end);
+    if (h <= 0.0) continue;
+    const Vector3d w = gyr - gyro_bias;
+    const Vector3d wxf = w.cross(f);
+    const Vector3d f_m =
+        f + h * h / 12 * (w.cross(f_slope) + 0.5 * w_slope.cross(f) + 0.5 * w.cross(wxf));
+    const Vector3d half_turn = w * (h / 2) - w_slope * (h * h / 8);
+    const Vector3d turn = w * h + w.cross(w_slope) * (h * h * h / 12);
+    const Eigen::Quaterniond dq_half = Exp<double>(half_turn), dq_full = Exp<double>(turn);
+    const Eigen::Matrix3d R_m = (sum.dq * dq_half).toRotationMatrix();
+
+    const Eigen::Matrix3d half_dbg = dq_half.conjugate().toRotationMatrix() * sum.dR_dbg -
+                                     RightJacobian(half_turn) * (h / 2);
+    const Eigen::Matrix3d a_dbg = -R_m * Skew<double>(f) * half_dbg;
+    const Eigen::Matrix3d a_dsa = -R_m * f.asDiagonal();
+    sum.dp_dbg += sum.dv_dbg * h + a_dbg * (h * h / 2);
+    sum.dv_dbg += a_dbg * h;
+    sum.dp_dba += sum.dv_dba * h - R_m * (h * h / 2);
+    sum.dv_dba -= R_m * h;
+    sum.dp_dsa += sum.dv_dsa * h + a_dsa * (h * h / 2);
+    sum.dv_dsa += a_dsa * h;
+    sum.dR_dbg = dq_full.conjugate().toRotationMatrix() * sum.dR_dbg - RightJacobian(turn) * h;
+
+    sum.dp += sum.dv * h + R_m * (f_m * (h * h / 2) - (wxf + f_slope) * (h * h * h / 12));
+    sum.dv += R_m * f_m * h;
+    sum.dq = (sum.dq * dq_full).normalized();
+
+    const double w_squared = w.squaredNorm();
+    const double spread = w_slope.norm() + w_squared;
+    sum.rate_squared += w_squared * h;
+    sum.force_spread += spread * spread * h;
+    if (is_gap_[i]) {
+      const double gap = edges_[i + 1] - edges_[i];
+      const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
+      const double force_error = std::min(kForceCurvature * gap * gap, kForceLimit);
+      sum.gyro_gap_variance += rate_error * rate_error * h * gap;
+      sum.accel_gap_variance += force_error * force_error * h * gap;
+    }
+  }
+  return sum;
+}
+
+}  // namespace brachium

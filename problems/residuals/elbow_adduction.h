@@ -1,0 +1,121 @@
+// Elbow adduction: the elbow is a hinge with a carrying angle, up to a slow deviation.
+//
+//   e_k = (z_U·y_F + s sin κ) / cos κ,   κ = k0 + k1 (y_U·y_F)
+//   r   = (e_k - ρ e_k-1) / (σ sqrt(1 - ρ²)),   ρ = exp(-D/τ)
+//
+// Frames    U upper arm, F forearm, ISB axes, all vectors in W: z_U the flexion axis, y long axes
+//           (proximal). With R_UF = Rz(flexion) Rx(β) Ry(·), sin β = z_U·y_F exactly and
+//           y_U·y_F = cos(flexion) cos β. s = +1 right, -1 left; valgus is -s β, so κ is positive
+//           when the forearm deviates away from the body.
+// Unknowns  q_WU, q_WF at knot k-1, then at k; carrying = [k0, k1] [rad].
+// Weight    σ [rad]: joint play, soft tissue, misplaced axes; τ [s]: how long a deviation lasts. Exact
+//           whitening of a first-order process, so the knot spacing does not matter.
+// Jacobian  ∂(a_U·b_F)/∂φ_U = (a × R_UF b)ᵀ, ∂/∂φ_F = (b × R_FU a)ᵀ for unit axes a, b;
+//           ∂e/∂(z_U·y_F) = 1/cos κ, ∂e/∂κ = s + e tan κ.
+// Blind to  a rotation common to both segments; flexion; pronation. The relative heading δ changes
+//           β by -n_z/cos β with n = z_U × y_F: nothing where the hanging arm is straight.
+// Source    Luinge, Veltink & Baten, J. Biomech. 40 (2007) 78-85 (adduction as a measurement, their
+//           eq. 6 with the sign put right); axes Wu et al., J. Biomech. 38 (2005) 981-992.
+#pragma once
+
+#include <cmath>
+
+#include "problems/residuals/cost.h"
+#include "problems/residuals/whitening.h"
+#include "problems/segment.h"
+
+namespace brachium {
+
+// One elbow posture's deviation e from the carrying angle.
+struct AdductionDeviation {
+  double s;  // side
+
+  template <typename T>
+  T operator()(const T* q_WU, const T* q_WF, const T* carrying) const {
+    using std::cos, std::sin;
+    using Rotation = Eigen::Map<const Eigen::Quaternion<T>>;
+    const Vector3T<T> y_F = Rotation(q_WF) * Vector3T<T>(Vector3T<T>::UnitY());
+    const T sin_beta = (Rotation(q_WU) * Vector3T<T>(Vector3T<T>::UnitZ())).dot(y_F);
+    const T cos_flexion = (Rotation(q_WU) * Vector3T<T>(Vector3T<T>::UnitY())).dot(y_F);
+    const T kappa = carrying[0] + carrying[1] * cos_flexion;
+    return (sin_beta + T(s) * sin(kappa)) / cos(kappa);
+  }
+
+  struct Gradient {
+    Eigen::RowVector3d phi_U, phi_F;
+    Eigen::RowVector2d carrying;
+  };
+
+  Gradient Differentiate(const double* q_WU, const double* q_WF, const double* carrying) const {
+    using Rotation = Eigen::Map<const Eigen::Quaterniond>;
+    const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+    const Eigen::Quaterniond q_UF = Rotation(q_WU).conjugate() * Rotation(q_WF);
+    const Eigen::Vector3d y_F_U = q_UF * y;
+    const Eigen::Quaterniond q_FU = q_UF.conjugate();
+    const double kappa = carrying[0] + carrying[1] * y_F_U.y();
+    const double e = (y_F_U.z() + s * std::sin(kappa)) / std::cos(kappa);
+    const double de_dx = 1 / std::cos(kappa), de_dkappa = s + e * std::tan(kappa);
+    const double de_dc = de_dkappa * carrying[1];
+    return {de_dx * z.cross(y_F_U).transpose() + de_dc * y.cross(y_F_U).transpose(),
+            de_dx * y.cross(q_FU * z).transpose() + de_dc * y.cross(q_FU * y).transpose(),
+            Eigen::RowVector2d(de_dkappa, de_dkappa * y_F_U.y())};
+  }
+};
+
+class ElbowAdduction {
+ public:
+  static constexpr int kResiduals = 1;
+  using Blocks = std::integer_sequence<int, 4, 4, 4, 4, 2>;
+
+  ElbowAdduction(Side side, const FirstOrderStep& step) : deviation_{Sign(side)}, step_(step) {}
+
+  template <typename T>
+  void operator()(const T* const* x, T* r) const {
+    r[0] = T(step_.weight) *
+           (deviation_(x[2], x[3], x[4]) - T(step_.rho) * deviation_(x[0], x[1], x[4]));
+  }
+
+  void Differentiate(const double* const* x, double* const* J) const {
+    using Row3 = Eigen::Map<Eigen::RowVector3d>;
+    const auto before = deviation_.Differentiate(x[0], x[1], x[4]);
+    const auto after = deviation_.Differentiate(x[2], x[3], x[4]);
+    const double before_weight = -step_.weight * step_.rho;
+    Row3{J[0]} = before_weight * before.phi_U;
+    Row3{J[1]} = before_weight * before.phi_F;
+    Row3{J[2]} = step_.weight * after.phi_U;
+    Row3{J[3]} = step_.weight * after.phi_F;
+    Eigen::Map<Eigen::RowVector2d>{J[4]} =
+        step_.weight * after.carrying + before_weight * before.carrying;
+  }
+
+ private:
+  AdductionDeviation deviation_;
+  FirstOrderStep step_;
+};
+
+// The first knot of the trial: r = e_0 / σ.
+class ElbowAdductionStart {
+ public:
+  static constexpr int kResiduals = 1;
+  using Blocks = std::integer_sequence<int, 4, 4, 2>;
+
+  ElbowAdductionStart(Side side, double sigma) : deviation_{Sign(side)}, weight_(1 / sigma) {}
+
+  template <typename T>
+  void operator()(const T* const* x, T* r) const {
+    r[0] = T(weight_) * deviation_(x[0], x[1], x[2]);
+  }
+
+  void Differentiate(const double* const* x, double* const* J) const {
+    const auto gradient = deviation_.Differentiate(x[0], x[1], x[2]);
+    Eigen::Map<Eigen::RowVector3d>{J[0]} = weight_ * gradient.phi_U;
+    Eigen::Map<Eigen::RowVector3d>{J[1]} = weight_ * gradient.phi_F;
+    Eigen::Map<Eigen::RowVector2d>{J[2]} = weight_ * gradient.carrying;
+  }
+
+ private:
+  AdductionDeviation deviation_;
+  double weight_;
+};
+
+}  // namespace brachium

@@ -1,0 +1,158 @@
+#include "problems/stillness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brachium {
+namespace {
+
+using Eigen::Vector3d;
+
+// Running sums of a signal and its square: mean and variance of any window in constant time.
+class RunningMoments {
+ public:
+  explicit RunningMoments(const std::vector<Vector3d>& signal)
+      : origin_(signal.front()), sum_{Vector3d::Zero()}, square_{0.0} {
+    for (const Vector3d& value : signal) {
+      sum_.push_back(sum_.back() + (value - origin_));
+      square_.push_back(square_.back() + (value - origin_).squaredNorm());
+    }
+  }
+  Vector3d Mean(std::size_t begin, std::size_t end) const {
+    return origin_ + (sum_[end] - sum_[begin]) / static_cast<double>(end - begin);
+  }
+  // Mean of |value - about|² over [begin, end).
+  double Spread(std::size_t begin, std::size_t end, const Vector3d& about) const {
+    const Vector3d mean = Mean(begin, end) - origin_;
+    const double variance =
+        (square_[end] - square_[begin]) / static_cast<double>(end - begin) - mean.squaredNorm();
+    return std::max(variance, 0.0) + (mean + origin_ - about).squaredNorm();
+  }
+
+ private:
+  Vector3d origin_;
+  std::vector<Vector3d> sum_;
+  std::vector<double> square_;
+};
+
+struct Tolerances {
+  double rate_squared, force_squared;
+};
+
+// What a rest may show: real motion, and the sensor's white noise at its sampling rate.
+Tolerances TolerancesOf(const Recording& recording, const StillnessOptions& options) {
+  const double bandwidth = 0.5 / SamplingPeriod(recording);
+  const double rate = options.rate_deg_s * kDegree;
+  const ImuNoise& noise = recording.noise;
+  return {rate * rate + 3 * noise.gyro_density * noise.gyro_density * bandwidth,
+          options.force * options.force +
+              3 * noise.accel_density * noise.accel_density * bandwidth};
+}
+
+// Mean rate of the second in which rate and force vary least: the bias, if that second is a rest.
+Vector3d QuietestBias(const Recording& recording, const RunningMoments& rate,
+                      const RunningMoments& force, const Tolerances& tolerances) {
+  const auto width = static_cast<std::size_t>(std::ceil(1.0 / SamplingPeriod(recording)));
+  if (recording.size() < width) return Vector3d::Zero();
+  double least = 2.0;
+  Vector3d bias = Vector3d::Zero();
+  for (std::size_t begin = 0; begin + width <= recording.size(); begin += width / 8 + 1) {
+    const std::size_t end = begin + width;
+    const Vector3d mean = rate.Mean(begin, end);
+    if (mean.norm() > 4 * recording.noise.gyro_bias_sigma) continue;
+    const double statistic =
+        rate.Spread(begin, end, mean) / tolerances.rate_squared +
+        force.Spread(begin, end, force.Mean(begin, end)) / tolerances.force_squared;
+    if (statistic >= least) continue;
+    least = statistic;
+    bias = mean;
+  }
+  return bias;
+}
+
+double Logistic(double statistic) { return 1 / (1 + std::exp(statistic - 2)); }
+
+// rms per axis of the integrated rate after its straight line is taken off [rad].
+double Sway(const Recording& recording, std::size_t begin, std::size_t end, const Vector3d& mean) {
+  Vector3d angle = Vector3d::Zero(), sum = Vector3d::Zero();
+  double squares = 0.0;
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const double step = recording.time[i] - recording.time[i - 1];
+    angle += step * (0.5 * (recording.gyr_S[i] + recording.gyr_S[i - 1]) - mean);
+    sum += angle;
+    squares += angle.squaredNorm();
+  }
+  const double n = static_cast<double>(end - begin);
+  return std::sqrt(std::max(0.0, squares / n - (sum / n).squaredNorm()) / 3);
+}
+
+RestInterval Describe(const Recording& recording, std::size_t begin, std::size_t end,
+                      double probability) {
+  RestInterval rest;
+  rest.start = recording.time[begin];
+  rest.end = recording.time[end - 1];
+  rest.probability = probability;
+  for (std::size_t i = begin; i < end; ++i) {
+    rest.mean_rate += recording.gyr_S[i];
+    rest.mean_force += recording.acc_S[i];
+  }
+  rest.mean_rate /= static_cast<double>(end - begin);
+  rest.mean_force /= static_cast<double>(end - begin);
+  rest.sway = Sway(recording, begin, end, rest.mean_rate);
+  return rest;
+}
+
+}  // namespace
+
+std::vector<RestInterval> DetectRests(const Recording& recording,
+                                      const StillnessOptions& options) {
+  const std::size_t n = recording.size();
+  const double period = SamplingPeriod(recording);
+  const RunningMoments rate(recording.gyr_S), force(recording.acc_S);
+  const Tolerances tolerances = TolerancesOf(recording, options);
+  const Vector3d bias = QuietestBias(recording, rate, force, tolerances);
+  const auto half = std::max<std::size_t>(2, static_cast<std::size_t>(options.window_s / period / 2));
+
+  // A sample is as still as the stillest window that holds it.
+  std::vector<double> statistic(n, 1e9);
+  for (std::size_t begin = 0; begin + 2 * half + 1 <= n; ++begin) {
+    const std::size_t end = begin + 2 * half + 1;
+    if (recording.time[end - 1] - recording.time[begin] > 2 * options.window_s) continue;  // a gap
+    const double T = rate.Spread(begin, end, bias) / tolerances.rate_squared +
+                     force.Spread(begin, end, force.Mean(begin, end)) / tolerances.force_squared;
+    if (T > 2.0) continue;
+    for (std::size_t i = begin; i < end; ++i) statistic[i] = std::min(statistic[i], T);
+  }
+
+  std::vector<RestInterval> rests;
+  for (std::size_t begin = 0; begin < n;) {
+    if (statistic[begin] > 2.0) {
+      ++begin;
+      continue;
+    }
+    std::size_t end = begin;
+    double sum = 0.0;
+    while (end < n && statistic[end] <= 2.0 &&
+           (end == begin || recording.time[end] - recording.time[end - 1] < 3 * period))
+      sum += statistic[end++];
+    if (recording.time[end - 1] - recording.time[begin] >= options.shortest_s)
+      rests.push_back(
+          Describe(recording, begin, end, Logistic(sum / static_cast<double>(end - begin))));
+    begin = end;
+  }
+  return rests;
+}
+
+RestInterval PartOfRest(const Recording& recording, const RestInterval& rest, double start,
+                        double end) {
+  const auto& time = recording.time;
+  const auto at = [&](double t) {
+    return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  };
+  const std::size_t first = at(std::max(start, rest.start));
+  const std::size_t last = at(std::nextafter(std::min(end, rest.end), 1e300));
+  if (last < first + 3) return {.probability = 0.0};
+  return Describe(recording, first, last, rest.probability);
+}
+
+}  // namespace brachium

@@ -1,0 +1,60 @@
+#include "problems/timeline.h"
+
+#include <algorithm>
+
+namespace brachium {
+namespace {
+
+// A step that is shorter than the spacing by rounding alone counts as full.
+constexpr double kRounding = 1e-6;
+
+}  // namespace
+
+int Timeline::NodeBefore(double time) const {
+  int low = 0, high = static_cast<int>(nodes.size()) - 1;
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    (NodeTime(middle) <= time ? low : high) = middle;
+  }
+  return low;
+}
+
+double Timeline::NodeFraction(double time) const {
+  const int node = NodeBefore(time);
+  const double begin = NodeTime(node), end = NodeTime(node + 1);
+  return std::clamp((time - begin) / (end - begin), 0.0, 1.0);
+}
+
+int Timeline::KnotBefore(double time) const {
+  const auto after = std::upper_bound(knots.begin(), knots.end(), time);
+  return std::max(0, static_cast<int>(after - knots.begin()) - 1);
+}
+
+Timeline MakeTimeline(const std::vector<Preintegrator>& recordings, double knot_spacing,
+                      double node_spacing) {
+  double begin = recordings[0].Begin(), end = recordings[0].End();
+  for (const Preintegrator& recording : recordings) {
+    begin = std::max(begin, recording.Begin());
+    end = std::min(end, recording.End());
+  }
+  Timeline timeline;
+  timeline.knots.push_back(begin);
+  const double step = std::max(knot_spacing, 0.0) * (1 - kRounding);
+  const double least = 0.5 * recordings[0].Period();  // no sliver of an interval at the ends
+  for (const double edge : recordings[0].edges())
+    if (edge > timeline.knots.back() + std::max(step, least) && edge < end - least)
+      timeline.knots.push_back(edge);
+  timeline.knots.push_back(end);
+
+  timeline.nodes.push_back(0);
+  for (int knot = 1; knot < timeline.Intervals(); ++knot) {
+    const double time = timeline.knots[static_cast<std::size_t>(knot)];
+    const double node = timeline.NodeTime(static_cast<int>(timeline.nodes.size()) - 1);
+    if (time - node >= node_spacing * (1 - kRounding) && end - time >= 0.5 * node_spacing)
+      timeline.nodes.push_back(knot);
+  }
+  timeline.nodes.push_back(timeline.Intervals());
+  return timeline;
+}
+
+}  // namespace brachium

@@ -1,0 +1,109 @@
+#include "solver/covariance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/elimination.h"
+
+namespace brachium {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+std::size_t U(int i) { return static_cast<std::size_t>(i); }
+
+// The estimate of an unmodelled acceleration starts as if this many residuals had confirmed the
+// first guess: a short or poorly linked trial keeps it.
+constexpr double kPriorResiduals = 30.0;
+
+// Weighted residuals of one sensor's accelerometer: their squares, their redundancy, and the mean
+// density that they were weighted with.
+struct Spread {
+  double squares = 0.0, redundancy = 0.0, count = 0.0;
+};
+
+// r and the trace of J Σ Jᵀ of one term, Σ being the covariance of a front that holds it.
+void AddTerm(const ArmProblem& problem, State& state, const Term& term, const BlockIndex& index,
+             const MatrixXd& covariance, Spread& spread) {
+  const int rows = term.cost->num_residuals();
+  std::vector<const double*> values;
+  std::vector<int> offsets, sizes;
+  int columns = 0;
+  for (const int unknown : term.unknowns) {
+    values.push_back(problem.Value(state, unknown));
+    sizes.push_back(problem.Describe(unknown).Tangent());
+    offsets.push_back(index.OffsetOf(unknown));
+    columns += sizes.back();
+  }
+  std::vector<double> memory(U(rows * columns));
+  std::vector<double*> jacobians;
+  int place = 0;
+  for (const int size : sizes) {
+    jacobians.push_back(memory.data() + place);
+    place += rows * size;
+  }
+  VectorXd r(rows);
+  term.cost->EvaluateTangent(values.data(), r.data(), jacobians.data());
+  MatrixXd J(rows, columns), S(columns, columns);
+  int at = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    J.middleCols(at, sizes[i]) = Eigen::Map<
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(jacobians[i], rows,
+                                                                                sizes[i]);
+    int to = 0;
+    for (std::size_t j = 0; j < sizes.size(); ++j) {
+      S.block(at, to, sizes[i], sizes[j]) =
+          covariance.block(offsets[i], offsets[j], sizes[i], sizes[j]);
+      to += sizes[j];
+    }
+    at += sizes[i];
+  }
+  spread.squares += r.squaredNorm();
+  spread.redundancy += rows - (J * S).cwiseProduct(J).sum();
+  spread.count += 1.0;
+}
+
+}  // namespace
+
+Certainty AssessCertainty(const ArmProblem& problem, State& state) {
+  Elimination::Workspace workspace;
+  const int past_end = problem.size().knots;
+  const Elimination elimination(problem, state, {}, 0, past_end, true, workspace);
+
+  Certainty certainty;
+  certainty.singular = elimination.singular();
+  certainty.root_sd.assign(U(problem.size().knots), 0.0);
+  std::vector<Spread> spreads(U(problem.size().sensors));
+  const auto& terms = problem.terms();
+  elimination.VisitCovariances([&](int knot, const BlockIndex& index, const MatrixXd& covariance) {
+    for (const int unknown : index.unknowns) {
+      const Unknown u = problem.Describe(unknown);
+      const auto variance = covariance.diagonal().segment(index.OffsetOf(unknown), u.Tangent());
+      if (u.place < 0 || u.kind == UnknownKind::kGyroBias)
+        certainty.constant_sd.try_emplace(unknown, variance.cwiseSqrt());
+      if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
+        certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
+    }
+    auto term = std::lower_bound(terms.begin(), terms.end(), knot,
+                                 [](const Term& t, int at) { return t.first_knot < at; });
+    for (; term != terms.end() && term->first_knot == knot; ++term)
+      if (term->kind == ResidualKind::kAccelerometer)
+        AddTerm(problem, state, *term, index, covariance, spreads[U(term->sensor)]);
+  });
+
+  const auto& options = problem.options();
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
+    const Spread& spread = spreads[U(sensor)];
+    const double white = 0.5 * std::pow(
+        problem.observations().recordings[U(sensor)].noise.accel_density, 2);
+    const double used = problem.unmodelled_acceleration()[U(sensor)];
+    const double density = white + 2 * options.unmodelled_correlation_s * used * used;
+    const double ratio = (spread.squares + kPriorResiduals) / (spread.redundancy + kPriorResiduals);
+    const double variance =
+        (ratio * density - white) / (2 * options.unmodelled_correlation_s);
+    certainty.unmodelled_acceleration.push_back(std::sqrt(std::max(variance, 1e-6)));
+  }
+  return certainty;
+}
+
+}  // namespace brachium

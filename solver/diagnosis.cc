@@ -1,0 +1,177 @@
+#include "solver/diagnosis.h"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace brachium {
+namespace {
+
+std::size_t U(int i) { return static_cast<std::size_t>(i); }
+
+// A standard deviation above this share of its prior's has learned nothing worth the name.
+constexpr double kUninformed = 0.95;
+
+std::string SegmentName(const ArmProblem& problem, int sensor) {
+  return std::string(Name(problem.observations().recordings[U(sensor)].segment));
+}
+
+// How a constant is called in results, in what unit, and what its prior's sd is in SI.
+struct ConstantEntry {
+  std::string name;
+  double unit = 1.0;  // result = SI value / unit
+  std::vector<double> prior_sd;
+};
+
+std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& unknown) {
+  const Observations& observations = problem.observations();
+  const auto named = [&](const char* name, double sigma) {
+    return ConstantEntry{SegmentName(problem, unknown.sensor) + "." + name, 1.0,
+                         {sigma, sigma, sigma}};
+  };
+  switch (unknown.kind) {
+    case UnknownKind::kAccelBias:
+      return named("accelerometer_bias_m_s2",
+                   observations.recordings[U(unknown.sensor)].noise.accel_bias_sigma);
+    case UnknownKind::kAccelScale:
+      return named("accelerometer_scale", problem.options().accel_scale_sigma);
+    case UnknownKind::kSensorPosition:
+      if (problem.size().sensors == 1) return std::nullopt;
+      return named("p_BS_m", observations.recordings[U(unknown.sensor)].mounting->p_sigma);
+    case UnknownKind::kJointVector:
+      return named("distal_joint_m",
+                   observations.arm.segments
+                       .at(observations.recordings[U(unknown.sensor)].segment)
+                       .sigma);
+    case UnknownKind::kShoulderMean: {
+      const double sigma = observations.arm.shoulder.sigma;
+      return ConstantEntry{"shoulder.mean_m", 1.0, {sigma, sigma, sigma}};
+    }
+    default: return std::nullopt;
+  }
+}
+
+std::string Seconds(double start, double end) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f-%.1f s", start, end);
+  return text;
+}
+
+// "x, z" for the components whose sd stayed at its prior.
+std::string UninformedAxes(const Eigen::VectorXd& sd, const std::vector<double>& prior_sd) {
+  std::string axes;
+  for (Eigen::Index i = 0; i < sd.size(); ++i) {
+    if (sd[i] < kUninformed * prior_sd[static_cast<std::size_t>(i)]) continue;
+    if (!axes.empty()) axes += ", ";
+    axes += "xyz"[i];
+  }
+  return axes;
+}
+
+}  // namespace
+
+std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, State& state) {
+  std::vector<std::pair<std::string, std::pair<std::size_t, double>>> sums;
+  const auto entry = [&](const std::string& name) -> auto& {
+    for (auto& sum : sums)
+      if (sum.first == name) return sum.second;
+    sums.push_back({name, {0, 0.0}});
+    return sums.back().second;
+  };
+  std::vector<const double*> values;
+  std::vector<double> r;
+  for (const Term& term : problem.terms()) {
+    values.clear();
+    for (const int unknown : term.unknowns) values.push_back(problem.Value(state, unknown));
+    r.resize(U(term.cost->num_residuals()));
+    term.cost->Evaluate(values.data(), r.data(), nullptr);
+    std::string name(Name(term.kind));
+    if (term.sensor >= 0) name += "/" + SegmentName(problem, term.sensor);
+    auto& [count, squares] = entry(name);
+    count += r.size();
+    for (const double value : r) squares += value * value;
+  }
+  std::vector<ResidualStatistics> statistics;
+  for (const auto& [name, sum] : sums)
+    statistics.push_back({name, sum.first, std::sqrt(sum.second / static_cast<double>(sum.first))});
+  return statistics;
+}
+
+std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& state,
+                                        const Certainty& certainty) {
+  std::vector<Constant> constants;
+  for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown) {
+    const Unknown u = problem.Describe(unknown);
+    const double* x = state.Constant(u.kind, u.sensor);
+    const Eigen::VectorXd& sd = certainty.constant_sd.at(unknown);
+    if (u.kind == UnknownKind::kCarryingAngle) {
+      constants.push_back({"elbow.carrying_angle_deg", {x[0] / kDegree}, {sd[0] / kDegree}});
+      constants.push_back({"elbow.carrying_slope_deg", {x[1] / kDegree}, {sd[1] / kDegree}});
+    } else if (const auto entry = Describe(problem, u)) {
+      constants.push_back({entry->name, {x[0], x[1], x[2]}, {sd[0], sd[1], sd[2]}});
+    }
+  }
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+    constants.push_back({SegmentName(problem, sensor) + ".unmodelled_acceleration_m_s2",
+                         {problem.unmodelled_acceleration()[U(sensor)]},
+                         {}});
+  return constants;
+}
+
+std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty& certainty) {
+  std::vector<std::string> sentences;
+  const Timeline& timeline = problem.timeline();
+  const std::string whole = Seconds(timeline.knots.front(), timeline.knots.back());
+  for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown) {
+    const Unknown u = problem.Describe(unknown);
+    const auto entry = Describe(problem, u);
+    const Eigen::VectorXd& sd = certainty.constant_sd.at(unknown);
+    if (u.kind == UnknownKind::kCarryingAngle) {
+      const ElbowModel& elbow = problem.observations().arm.elbow;
+      if (sd[0] > kUninformed * elbow.carrying_angle_sigma)
+        sentences.push_back("elbow.carrying_angle_deg, " + whole);
+      if (sd[1] > kUninformed * elbow.carrying_slope_sigma)
+        sentences.push_back("elbow.carrying_slope_deg, " + whole);
+    } else if (entry) {
+      const std::string axes = UninformedAxes(sd, entry->prior_sd);
+      if (!axes.empty()) sentences.push_back(entry->name + " (" + axes + "), " + whole);
+    }
+  }
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
+    const double sigma = problem.observations().recordings[U(sensor)].noise.gyro_bias_sigma;
+    for (int node = 0; node < problem.size().nodes; ++node) {
+      const auto& sd = certainty.constant_sd.at(problem.GyroBias(node, sensor));
+      const int first = node;
+      if (UninformedAxes(sd, {sigma, sigma, sigma}).empty()) continue;
+      const std::string axes = UninformedAxes(sd, {sigma, sigma, sigma});
+      while (node + 1 < problem.size().nodes &&
+             !UninformedAxes(certainty.constant_sd.at(problem.GyroBias(node + 1, sensor)),
+                             {sigma, sigma, sigma})
+                  .empty())
+        ++node;
+      sentences.push_back(SegmentName(problem, sensor) + ".gyro_bias (" + axes + "), " +
+                          Seconds(timeline.NodeTime(first), timeline.NodeTime(node)));
+    }
+  }
+  if (problem.size().sensors == 1) return sentences;
+  const double sigma = problem.observations().arm.shoulder.sigma;
+  for (int knot = 0; knot < problem.size().knots; ++knot) {
+    const int first = knot;
+    while (knot < problem.size().knots && certainty.root_sd[U(knot)] > kUninformed * sigma) ++knot;
+    if (knot - first > 1 && timeline.knots[U(knot) - 1] - timeline.knots[U(first)] > 1.0)
+      sentences.push_back("position of the arm's root, " +
+                          Seconds(timeline.knots[U(first)], timeline.knots[U(knot) - 1]));
+  }
+  return sentences;
+}
+
+std::vector<Rest> DescribeRests(const ArmProblem& problem) {
+  std::vector<Rest> rests;
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+    for (const RestInterval& rest : problem.Rests(sensor))
+      rests.push_back({problem.observations().recordings[U(sensor)].segment, rest.start, rest.end,
+                       rest.probability});
+  return rests;
+}
+
+}  // namespace brachium

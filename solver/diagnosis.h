@@ -1,0 +1,23 @@
+// What a solved trial has to report about itself.
+#pragma once
+
+#include "problems/arm_problem.h"
+#include "problems/estimate.h"
+#include "solver/covariance.h"
+
+namespace brachium {
+
+// Whitened residuals by kind and sensor at `state`.
+std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, State& state);
+
+// The constants of the trial with their standard deviations.
+std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& state,
+                                        const Certainty& certainty);
+
+// Unknowns about which the samples said next to nothing: their standard deviation is still that of
+// their prior. One sentence each, with segment and time span.
+std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty& certainty);
+
+std::vector<Rest> DescribeRests(const ArmProblem& problem);
+
+}  // namespace brachium

@@ -1,0 +1,123 @@
+#include "solver/window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "solver/initial_guess.h"
+
+namespace brachium {
+namespace {
+
+constexpr int kHeadings = 6;            // tried about the full turn
+constexpr double kClearlyCheaper = 12.0;  // twice the log-likelihood ratio that settles a heading
+constexpr double kDistinct = 20 * kDegree;
+constexpr double kLongestSettling = 80.0;  // [s]
+
+// Windows need not be solved to the last digit: the whole trial follows.
+constexpr SolveOptions kWindowSolve{.most_iterations = 20, .function_tolerance = 1e-7,
+                                    .step_tolerance = 1e-7};
+
+int KnotAt(const ArmProblem& problem, double time) {
+  const auto& knots = problem.timeline().knots;
+  const auto found = std::lower_bound(knots.begin(), knots.end(), time - 1e-9);
+  return std::min(static_cast<int>(found - knots.begin()), problem.timeline().Intervals());
+}
+
+// Heading of a segment at the first knot against the one before it [rad].
+double RelativeHeading(const State& state, int sensor) {
+  using Attitude = Eigen::Map<const Eigen::Quaterniond>;
+  const Eigen::Quaterniond q_turn = Attitude(state.Attitude(0, sensor)) *
+                                    Attitude(state.Attitude(0, sensor - 1)).conjugate();
+  return 2 * std::atan2(q_turn.z(), q_turn.w());
+}
+
+double Distance(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+
+bool IsSettledByPose(const ArmProblem& problem, int sensor) {
+  const auto& pose = problem.observations().start_pose;
+  return pose && pose->forearm_pronation && sensor == problem.SensorOn(Segment::kForearm) &&
+         problem.SensorOn(Segment::kUpperArm) >= 0;
+}
+
+struct Trial {
+  State state;
+  double cost;
+};
+
+// Tries headings of one segment over the knots up to `last`; says whether one is clearly cheaper.
+bool TryHeadings(const ArmProblem& problem, State& state, int sensor, int last,
+                 WindowReport& report) {
+  std::optional<Trial> best;
+  std::vector<std::pair<double, double>> found;  // heading reached, cost
+  for (int i = 0; i < kHeadings; ++i) {
+    Trial trial{state, 0.0};
+    for (int link = sensor; link < problem.size().sensors; ++link)
+      TurnFirstKnot(trial.state, link, 2 * std::numbers::pi * i / kHeadings);
+    DeadReckon(problem, trial.state, 0, last);
+    const auto summary = Solve(problem, trial.state, {}, 0, last, kWindowSolve);
+    report.iterations += static_cast<int>(summary.iterations.size()) - 1;
+    trial.cost = summary.final_cost;
+    found.emplace_back(RelativeHeading(trial.state, sensor), trial.cost);
+    if (!best || trial.cost < best->cost) best = std::move(trial);
+  }
+  const double heading = RelativeHeading(best->state, sensor);
+  state = std::move(best->state);
+  return std::all_of(found.begin(), found.end(), [&](const auto& other) {
+    return Distance(other.first, heading) < kDistinct ||
+           2 * (other.second - best->cost) > kClearlyCheaper;
+  });
+}
+
+}  // namespace
+
+void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOptions& options,
+                         WindowReport& report) {
+  const State start = state;
+  const double begin = problem.timeline().knots.front();
+  for (double span = options.length;; span *= 2) {
+    state = start;
+    const int last = KnotAt(problem, begin + span);
+    report.settling_span = problem.timeline().knots[static_cast<std::size_t>(last)] - begin;
+    bool clear = true;
+    for (int sensor = 1; sensor < problem.size().sensors; ++sensor)
+      if (!IsSettledByPose(problem, sensor))
+        clear = TryHeadings(problem, state, sensor, last, report) && clear;
+    if (clear || last == problem.timeline().Intervals() || span >= kLongestSettling) return;
+  }
+}
+
+WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions& options,
+                          const Progress& progress) {
+  WindowReport report;
+  SetFirstKnot(problem, state);
+  problem.FixHeading(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, 0)));
+  ChooseStartHeadings(problem, state, options, report);
+
+  const Timeline& timeline = problem.timeline();
+  const int last = timeline.Intervals();
+  const double begin = timeline.knots.front(), span = timeline.knots.back() - begin;
+  Elimination::Workspace workspace;
+  CarriedPrior prior;
+  int known = 0;  // knots up to here have a value
+  for (int start = 0;;) {
+    const double time = timeline.knots[static_cast<std::size_t>(start)];
+    int end = std::max(KnotAt(problem, time + options.length), start + 1);
+    if (end + 1 >= last) end = last;
+    DeadReckon(problem, state, known, end);
+    const auto summary = Solve(problem, state, prior, start, end, kWindowSolve);
+    report.iterations += static_cast<int>(summary.iterations.size()) - 1;
+    ++report.windows;
+    known = end;
+    if (progress) progress("windows", (timeline.knots[static_cast<std::size_t>(end)] - begin) / span);
+    if (end == last) return report;
+    HoldBias(problem, state, timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end)]) + 1);
+    const int next = std::max(KnotAt(problem, time + options.advance), start + 1);
+    const Elimination left(problem, state, prior, start, next, false, workspace);
+    prior = left.Carry(problem, state);
+    start = next;
+  }
+}
+
+}  // namespace brachium
