@@ -42,10 +42,21 @@ std::string Indexed(const std::string& path, std::size_t index) {
   return path + "[" + std::to_string(index) + "]";
 }
 
+// The library's message without its number and position.
+std::string Essence(std::string message) {
+  const std::size_t number = message.find("] ");
+  if (number != message.npos) message.erase(0, number + 2);
+  const std::size_t position = message.find(": ");
+  if (message.starts_with("parse error at ") && position != message.npos)
+    message.erase(0, position + 2);
+  return message;
+}
+
 // Notes on which line each key, and each element that is an object, begins.
 class LineRecorder : public nlohmann::json_sax<json> {
  public:
-  LineRecorder(JsonFile* file, const std::size_t* line) : file_(*file), line_(*line) {}
+  LineRecorder(std::string_view text, JsonFile* file, const std::size_t* line)
+      : text_(text), file_(*file), line_(*line) {}
 
   bool null() override { return Value(); }
   bool boolean(bool) override { return Value(); }
@@ -67,11 +78,11 @@ class LineRecorder : public nlohmann::json_sax<json> {
     return true;
   }
 
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) override {
-    std::string what = e.what();
-    const std::size_t colon = what.find(": ");
-    if (colon != what.npos) what.erase(0, colon + 2);
-    throw InputError(file_.name, line_, "is not valid JSON: " + what);
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::detail::exception& error) override {
+    const auto read = text_.substr(0, std::max<std::size_t>(position, 1) - 1);
+    const auto line = 1 + static_cast<std::size_t>(std::ranges::count(read, '\n'));
+    throw InputError(file_.name, line, "is not valid JSON: " + Essence(error.what()));
   }
 
  private:
@@ -107,6 +118,7 @@ class LineRecorder : public nlohmann::json_sax<json> {
     return true;
   }
 
+  const std::string_view text_;
   JsonFile& file_;
   const std::size_t& line_;
   std::vector<Level> levels_;
@@ -114,7 +126,7 @@ class LineRecorder : public nlohmann::json_sax<json> {
 
 void RecordLines(std::string_view text, JsonFile* file) {
   std::size_t line = 1;
-  LineRecorder recorder(file, &line);
+  LineRecorder recorder(text, file, &line);
   const char* const end = text.data() + text.size();
   json::sax_parse(CountingIterator{text.data(), &line}, CountingIterator{end, &line}, &recorder);
 }
