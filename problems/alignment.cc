@@ -208,8 +208,11 @@ std::vector<RotationAlignment> AlignHeading(const std::vector<RotationPairs>& se
 double HeadingOf(const Quaterniond& q_VW) { return Log(q_VW).z(); }
 
 Eigen::Matrix3Xd PointAlignment::Apply(const Eigen::Matrix3Xd& estimate) const {
-  const Matrix3d R = Eigen::AngleAxisd(heading, Vector3d::UnitZ()).toRotationMatrix();
-  return (R * estimate).colwise() + shift;
+  Eigen::Matrix3Xd aligned = estimate.colwise() + shift;  // a missing height stays its own matter
+  aligned.topRows<2>() =
+      (Eigen::Rotation2Dd(heading).toRotationMatrix() * estimate.topRows<2>()).colwise() +
+      shift.head<2>();
+  return aligned;
 }
 
 PointAlignment AlignPoints(const std::vector<PointPairs>& points) {

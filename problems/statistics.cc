@@ -7,12 +7,14 @@
 namespace brachium {
 namespace {
 
-// Of sorted values, linear between neighbours; part 0 is the least, 1 the greatest.
-double Quantile(const std::vector<double>& sorted, double part) {
-  const double place = part * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+// Linear between neighbours in order; part 0 is the least, 1 the greatest. Reorders the values.
+double Quantile(std::vector<double>* values, double part) {
+  const double place = part * static_cast<double>(values->size() - 1);
+  const auto below = values->begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values->begin(), below, values->end());
+  if (below + 1 == values->end()) return *below;
+  const double above = *std::min_element(below + 1, values->end());
+  return *below + (place - std::floor(place)) * (above - *below);
 }
 
 // Rounding alone gives a constant of size `level` this much variance.
@@ -43,10 +45,9 @@ Statistics StatisticsOf(const Series& error) {
   statistics.bias = error.rows() == 1 ? mean(0) : mean.norm();
   statistics.sd = std::sqrt(spread / n);
   statistics.rmse = std::sqrt(square / n);
-  std::sort(magnitude.begin(), magnitude.end());
-  statistics.median = Quantile(magnitude, 0.5);
-  statistics.p95 = Quantile(magnitude, 0.95);
-  statistics.max = magnitude.back();
+  statistics.median = Quantile(&magnitude, 0.5);
+  statistics.p95 = Quantile(&magnitude, 0.95);
+  statistics.max = *std::max_element(magnitude.begin(), magnitude.end());
   return statistics;
 }
 
@@ -68,10 +69,9 @@ std::optional<double> Correlation(const Series& estimate, const Series& referenc
   double ee = 0.0, er = 0.0, rr = 0.0;
   for (Eigen::Index i = 0; i < estimate.cols(); ++i) {
     if (!usable(i)) continue;
-    const Eigen::VectorXd e = estimate.col(i) - mean_e, r = reference.col(i) - mean_r;
-    ee += e.squaredNorm();
-    er += e.dot(r);
-    rr += r.squaredNorm();
+    ee += (estimate.col(i) - mean_e).squaredNorm();
+    er += (estimate.col(i) - mean_e).dot(reference.col(i) - mean_r);
+    rr += (reference.col(i) - mean_r).squaredNorm();
   }
   if (ee <= n * NegligibleVariance(mean_e.norm()) || rr <= n * NegligibleVariance(mean_r.norm()))
     return std::nullopt;
