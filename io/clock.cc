@@ -13,6 +13,7 @@ constexpr double kGapFactor = 1.8;
 constexpr double kLongestStep = 0.5;    // [s]: no movement can be followed below 2 Hz
 constexpr double kShortestStep = 1e-5;  // [s]
 constexpr double kLongGap = 60.0;       // [s]
+constexpr double kLeap = 10.0;          // times the step that the next row makes of it
 constexpr double kMostLost = 1e15;
 
 std::string Count(std::size_t n, const std::string& what) {
@@ -39,8 +40,9 @@ UsableRows FindUsableRows(const CsvTable& table,
       continue;
     }
     if (usable.not_later++ == 0) first_not_later = row;
-    const bool last_leapt =
-        rows.size() >= 2 && time[row] < last && time[row] > time[rows[rows.size() - 2]];
+    if (rows.size() < 2) continue;
+    const double before = time[rows[rows.size() - 2]];
+    const bool last_leapt = time[row] > before && last - before > kLeap * (time[row] - before);
     if (last_leapt) rows.back() = row;
   }
   if (2 * usable.not_later > table.rows)

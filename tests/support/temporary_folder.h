@@ -28,7 +28,9 @@ class TemporaryFolder {
   const std::string& path() const { return path_; }
   std::string File(const std::string& name) const { return path_ + "/" + name; }
 
+  // A file of that name is replaced by a new one: some disks wait when one is shortened to nothing.
   void Write(const std::string& name, const std::string& bytes) const {
+    std::filesystem::remove(File(name));
     std::ofstream(File(name), std::ios::binary) << bytes;
   }
   std::string Read(const std::string& name) const {
