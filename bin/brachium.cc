@@ -1,0 +1,121 @@
+// brachium COMMAND --flag=value...: finds the command, runs it, and turns what went wrong into one
+// message and an exit code.
+#include <glog/logging.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bin/commands.h"
+#include "bin/run_facts.h"
+#include "bin/termination.h"
+#include "io/input_error.h"
+#include "io/output_folder.h"
+#include "io/text.h"
+
+namespace brachium {
+namespace {
+
+struct Command {
+  std::string_view name;
+  int (*run)(CommandLine&);
+  const char* summary;
+};
+
+constexpr std::array kCommands = {
+    Command{"reconstruct", RunReconstruct, "estimates the arm's motion from a trial folder"},
+    Command{"evaluate", RunEvaluate, "compares an estimate with the trial's reference"},
+    Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},
+    Command{"simulate", RunSimulate, "writes a trial folder whose truth is known"},
+};
+
+std::string Overview() {
+  std::string text =
+      "brachium reconstructs arm motion from body-worn inertial sensors.\n\n"
+      "usage: brachium COMMAND --flag=value ...\n\ncommands:\n";
+  for (const Command& command : kCommands)
+    text += "  " + std::string(command.name) + std::string(14 - command.name.size(), ' ') +
+            command.summary + "\n";
+  return text +
+         "  help          shows this\n"
+         "  version       shows the version\n\n"
+         "brachium COMMAND --help describes the command and its flags.\n"
+         "Exit codes: 0 good, 1 wrong flag, 2 wrong input, 3 result not to be trusted.\n";
+}
+
+int RunCommand(const std::string& name, const std::vector<std::string>& words) {
+  std::vector<std::string_view> names;
+  for (const Command& command : kCommands) {
+    names.push_back(command.name);
+    if (command.name != name) continue;
+    CommandLine line(name, words);
+    return command.run(line);
+  }
+  throw UsageError("unknown command '" + name + "'" + DidYouMean(name, names) +
+                   " (see brachium help)");
+}
+
+int Dispatch(std::vector<std::string> words) {
+  if (words.empty()) {
+    std::cerr << Overview();
+    return kWrongUsage;
+  }
+  std::string name = words.front();
+  words.erase(words.begin());
+  const bool asks_help = name == "help" || name == "--help" || name == "-h";
+  if (asks_help && !words.empty()) {
+    name = words.front();
+    words = {"--help"};
+  } else if (asks_help) {
+    std::cout << Overview();
+    return kGood;
+  }
+  if (name == "version" || name == "--version") {
+    std::cout << "brachium " << ProgramVersion() << "\n";
+    return kGood;
+  }
+  return RunCommand(name, words);
+}
+
+int Complain(const std::exception& error, int exit_code) {
+  std::cerr << "brachium: " << error.what() << "\n";
+  return exit_code;
+}
+
+// A broken promise inside the program: its message is enough, a stack trace helps nobody here.
+void QuitOnBrokenCheck() { std::_Exit(kWrongUsage); }
+
+void StartLogging(const char* program) {
+  FLAGS_logtostderr = true;
+  FLAGS_minloglevel = google::GLOG_ERROR;
+  google::InitGoogleLogging(program);
+  google::InstallFailureFunction(QuitOnBrokenCheck);
+}
+
+}  // namespace
+
+int Main(const std::vector<std::string>& words) try {
+  const int exit_code = Dispatch(words);
+  std::cout.flush();
+  if (!std::cout) throw OutputError("standard output cannot be written");
+  return exit_code;
+} catch (const InputError& error) {
+  return Complain(error, kWrongInput);
+} catch (const std::bad_alloc&) {
+  return Complain(OutputError("there is not enough memory"), kWrongUsage);
+} catch (const std::exception& error) {
+  return Complain(error, kWrongUsage);
+}
+
+}  // namespace brachium
+
+int main(int argc, char** argv) {
+  brachium::ExitOnTermination();
+  brachium::StartLogging(argv[0]);
+  return brachium::Main({argv + 1, argv + argc});
+}

@@ -1,0 +1,19 @@
+// The commands of the program. Each registers its flags, reads the command line, does its work and
+// returns the exit code. They throw UsageError, InputError and OutputError; main() catches.
+#pragma once
+
+#include "bin/flags.h"
+
+namespace brachium {
+
+inline constexpr int kGood = 0;
+inline constexpr int kWrongUsage = 1;
+inline constexpr int kWrongInput = 2;
+inline constexpr int kNotToBeTrusted = 3;
+
+int RunReconstruct(CommandLine& line);
+int RunEvaluate(CommandLine& line);
+int RunInspect(CommandLine& line);
+int RunSimulate(CommandLine& line);
+
+}  // namespace brachium

@@ -1,0 +1,115 @@
+// brachium reconstruct: estimates the motion of a trial.
+#include <iostream>
+#include <string>
+
+#include "bin/commands.h"
+#include "bin/estimate_text.h"
+#include "bin/help.h"
+#include "bin/options_json.h"
+#include "bin/progress_line.h"
+#include "bin/run_facts.h"
+#include "bin/termination.h"
+#include "io/estimate_folder.h"
+#include "io/input_error.h"
+#include "io/text.h"
+#include "io/trial_folder.h"
+#include "solver/estimators.h"
+
+namespace brachium {
+namespace {
+
+struct ReconstructFlags {
+  std::string trial;
+  std::string output;
+  std::string method = "smoother";
+  bool overwrite = false;
+
+  template <typename Flags, typename Visitor>
+  static void Visit(Flags& flags, Visitor&& visit) {
+    visit("trial", flags.trial, "The trial folder.");
+    visit("output", flags.output, "The estimate folder to be written.");
+    visit("method", flags.method, "How to estimate; each method brings flags of its own.");
+    visit("overwrite", flags.overwrite, "Replace an older estimate in the output folder.");
+  }
+};
+
+const CommandHelp kHelp = {
+    "--trial=DIR --output=DIR [--method=NAME] [flags]",
+    "Estimates the motion of the arm, and the constants that go with it, from the recordings of a "
+    "trial. The output folder receives estimate.csv, summary.json, timing.json and run.flags; "
+    "--flagfile=DIR/run.flags does the same again. Exits with 3 when the result is not to be "
+    "trusted: it is written nevertheless, and says so."};
+
+MethodOptions OptionsOf(const std::string& method) {
+  if (const auto options = DefaultOptions(method)) return *options;
+  const std::vector<std::string> names = MethodNames();
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw UsageError("--method=" + method + " is not known" + DidYouMean(method, known) +
+                   " (known: " + Listed(known) + ")");
+}
+
+void RequireAccepted(const Estimator& estimator, const Observations& observations,
+                     const std::string& trial) {
+  if (std::string why; !estimator.Accepts(observations, &why))
+    throw InputError(trial + "/trial.json", 0, why);
+}
+
+RunInfo RunInfoOf(const TrialFolder& folder, const CommandLine& line, const MethodOptions& method,
+                  double reading_seconds) {
+  return {.trial = folder.trial.name,
+          .options = std::visit([](const auto& options) { return ToJson(options); }, method),
+          .flags = line.RunFlags({"output", "overwrite"}),
+          .findings = folder,
+          .recordings = folder.recordings,
+          .inputs = folder.inputs,
+          .versions = Versions(),
+          .stages = {{"reading", reading_seconds}},
+          .host = HostName(),
+          .command_line = line.text()};
+}
+
+Estimate RunWatched(const Estimator& estimator, const Observations& observations) {
+  ProgressLine line;
+  return estimator.Run(observations, line.callback());
+}
+
+int Verdict(const Diagnostics& diagnostics) {
+  for (const std::string& unknown : diagnostics.held_by_prior)
+    std::cerr << "brachium: held by its prior only: " << unknown << "\n";
+  if (diagnostics.converged && !diagnostics.singular) return kGood;
+  std::cerr << "brachium: the result is not to be trusted: "
+            << (diagnostics.singular ? "the information matrix is singular" : "not converged")
+            << (diagnostics.termination.empty() ? "" : "; " + diagnostics.termination) << "\n";
+  return kNotToBeTrusted;
+}
+
+}  // namespace
+
+int RunReconstruct(CommandLine& line) {
+  ReconstructFlags flags;
+  MethodOptions method = OptionsOf(line.Peek("method", flags.method));
+  line.Add("Flags", flags);
+  std::visit([&](auto& options) { line.Add("Flags of the method", options); }, method);
+  if (ShowHelp(line, kHelp)) return kGood;
+  line.Read();
+  RequireGiven(flags.trial, "trial");
+  RequireGiven(flags.output, "output");
+  std::visit([](const auto& options) { RequireValid(options); }, method);
+  CheckReplaceable(flags.output, EstimateFolderKind(), flags.overwrite);
+
+  const Stopwatch reading;
+  const TrialFolder folder = ReadTrial(flags.trial);
+  const RunInfo run = RunInfoOf(folder, line, method, reading.Seconds());
+  const auto estimator = MakeEstimator(method);
+  RequireAccepted(*estimator, folder.trial.observations, flags.trial);
+  const Estimate estimate = RunWatched(*estimator, folder.trial.observations);
+  {
+    const WithoutInterruption writing;
+    WriteEstimate(flags.output, estimate, run, flags.overwrite);
+  }
+  std::cout << EstimateText(folder.trial.name, estimate) << FindingsText(folder) << "Estimate in "
+            << flags.output << "\n";
+  return Verdict(estimate.diagnostics);
+}
+
+}  // namespace brachium
