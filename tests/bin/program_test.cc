@@ -1,0 +1,153 @@
+// From a trial folder to an evaluation, as a user goes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace brachium {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+using Program = ProgramTest;
+
+json ReadJson(const std::string& file) { return json::parse(ReadText(file)); }
+
+TEST_F(Program, SimulatesInspectsReconstructsAndEvaluates) {
+  for (const std::string side : {"right", "left"}) {
+    const std::string trial = Simulate({"--side=" + side, "--overwrite"});
+    const Outcome inspected = Run({"inspect", "--trial=" + trial});
+    EXPECT_EQ(inspected.exit_code, 0) << inspected.err;
+    EXPECT_THAT(inspected.out, AllOf(HasSubstr(side + " arm"), HasSubstr("simulated"),
+                                     HasSubstr("Ready for brachium reconstruct")));
+
+    const std::string estimate = Path("estimate " + side);
+    const Outcome reconstructed = Reconstruct(trial, estimate);
+    EXPECT_EQ(reconstructed.exit_code, 0) << reconstructed.err;
+    EXPECT_THAT(reconstructed.out, AllOf(HasSubstr("Converged"), HasSubstr(estimate)));
+    for (const char* file : {"estimate.csv", "summary.json", "timing.json", "run.flags"})
+      EXPECT_TRUE(std::filesystem::exists(estimate + "/" + file)) << file;
+
+    const Outcome evaluated = Run({"evaluate", "--trial=" + trial, "--estimate=" + estimate});
+    EXPECT_EQ(evaluated.exit_code, 0) << evaluated.err;
+    EXPECT_THAT(evaluated.out, HasSubstr("forearm_in_upper_arm"));
+    const json evaluation = ReadJson(estimate + "/evaluation.json");
+    EXPECT_LT(evaluation["relative"]["forearm_in_upper_arm"]["rmse_deg"].get<double>(), 5.0);
+  }
+}
+
+TEST_F(Program, TheSameSeedSimulatesTheSameBytesAndAnotherSeedOthers) {
+  const auto once = Bytes(Simulate());
+  EXPECT_EQ(Bytes(Simulate({"--overwrite"})), once);
+  EXPECT_NE(Bytes(Simulate({"--overwrite", "--seed=2"})), once);
+}
+
+TEST_F(Program, ASimulatedTrialSaysSoAndHoldsItsTruth) {
+  const std::string trial = Simulate({"--carrying_angle_deg=11"});
+  EXPECT_TRUE(ReadJson(trial + "/trial.json")["simulated"].get<bool>());
+  const json truth = ReadJson(trial + "/truth.json");
+  EXPECT_EQ(truth["scenario"]["carrying_angle_deg"], 11.0);
+  EXPECT_FALSE(truth["truth"].empty());
+}
+
+TEST_F(Program, RunFlagsRepeatTheRunByteForByteButForItsTiming) {
+  const std::string trial = Simulate();
+  const std::string first = Path("first"), second = Path("second");
+  ASSERT_EQ(Reconstruct(trial, first, {"--knot_spacing_s=0.1"}).exit_code, 0);
+  const Outcome again =
+      Run({"reconstruct", "--flagfile=" + first + "/run.flags", "--output=" + second});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(ReadText(first + "/run.flags"),
+              AllOf(HasSubstr("--knot_spacing_s=0.1\n"), Not(HasSubstr("--output"))));
+  EXPECT_EQ(Bytes(first, "timing.json"), Bytes(second, "timing.json"));
+}
+
+TEST_F(Program, AResultIsNotOverwrittenUnlessToldSo) {
+  const std::string trial = Simulate();
+  ASSERT_EQ(Reconstruct(trial, Path("estimate")).exit_code, 0);
+  const auto before = Bytes(Path("estimate"));
+  const std::vector<std::string> other = {"--knot_spacing_s=0.1"};
+  const Outcome refused = Reconstruct(trial, Path("estimate"), other);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("--overwrite"));
+  EXPECT_EQ(Bytes(Path("estimate")), before);
+
+  EXPECT_EQ(Reconstruct(trial, Path("estimate"), {"--knot_spacing_s=0.1", "--overwrite"}).exit_code,
+            0);
+  EXPECT_NE(Bytes(Path("estimate")), before);
+}
+
+TEST_F(Program, OverwritingSparesAFolderThatIsNoEstimate) {
+  const std::string trial = Simulate();
+  const auto before = Bytes(trial);
+  EXPECT_EQ(Reconstruct(trial, trial, {"--overwrite"}).exit_code, 1);
+  EXPECT_EQ(Bytes(trial), before);
+}
+
+TEST_F(Program, AMissingTrialIsAnInputErrorThatNamesTheFile) {
+  for (const std::string command : {"inspect", "reconstruct"}) {
+    std::vector<std::string> words = {command, "--trial=" + Path("nowhere")};
+    if (command == "reconstruct") words.push_back("--output=" + Path("estimate"));
+    const Outcome outcome = Run(words);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(Path("nowhere")));
+  }
+  EXPECT_FALSE(std::filesystem::exists(Path("estimate")));
+}
+
+TEST_F(Program, TwoSensorsWithoutMountingsAreInspectedButNotReconstructed) {
+  const std::string trial = Simulate();
+  json description = ReadJson(trial + "/trial.json");
+  for (json& recording : description["recordings"]) recording.erase("mounting");
+  Write("trial/trial.json", description.dump());
+
+  const Outcome inspected = Run({"inspect", "--trial=" + trial});
+  EXPECT_EQ(inspected.exit_code, 0) << inspected.err;
+  EXPECT_THAT(inspected.out, HasSubstr("Not ready"));
+  const Outcome outcome = Reconstruct(trial, Path("estimate"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("trial.json"), HasSubstr("mounting"), HasSubstr("calibrat")));
+}
+
+TEST_F(Program, ATrialWithoutReferenceCannotBeEvaluated) {
+  const std::string trial = Simulate();
+  ASSERT_EQ(Reconstruct(trial, Path("estimate")).exit_code, 0);
+  json description = ReadJson(trial + "/trial.json");
+  description.erase("reference");
+  Write("trial/trial.json", description.dump());
+  const Outcome outcome = Run({"evaluate", "--trial=" + trial, "--estimate=" + Path("estimate")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("\"reference\""));
+}
+
+TEST_F(Program, TerminationLeavesNothingBehindAndExitsWith143) {
+  const std::string command = "'" BRACHIUM_PROGRAM
+                              "' simulate --scenario=daily_brisk --duration_s=7200 --rate_hz=1000 "
+                              "--output='" +
+                              Path("trial") + "' & child=$!; sleep 0.3; kill -TERM $child; " +
+                              "wait $child";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 143);
+  EXPECT_TRUE(std::filesystem::is_empty(Path("")));
+}
+
+TEST_F(Program, RealArmsWithoutMountingsAreToldHowToGetThem) {
+  const std::filesystem::path trial =
+      BRACHIUM_SOURCE_DIR "/../shared/data/trials/qmt_human_right_arm";
+  if (!std::filesystem::exists(trial)) GTEST_SKIP() << trial << " is not here";
+  EXPECT_EQ(Run({"inspect", "--trial=" + trial.string()}).exit_code, 0);
+  const Outcome outcome = Reconstruct(trial.string(), Path("estimate"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("calibrat"));
+}
+
+}  // namespace
+}  // namespace brachium
