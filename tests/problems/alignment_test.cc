@@ -26,8 +26,8 @@ RotationPairs Turned(const Quaterniond& left, const Motion& motion, const Quater
   RotationPairs pairs{.estimate = Sampled(kTimes, motion), .reference = {}};
   for (std::size_t i = 0; i < kTimes.size(); ++i) {
     pairs.reference.push_back(left * pairs.estimate[i] * right);
-    if (i % 3 == 0) pairs.reference.back().coeffs() *= -1.0;
-    if (i % 5 == 0) pairs.estimate[i].coeffs() *= -1.0;
+    if (i % 2 == 0) pairs.reference.back().coeffs() *= -1.0;
+    if (i % 3 == 0) pairs.estimate[i].coeffs() *= -1.0;
   }
   return pairs;
 }
@@ -43,11 +43,14 @@ double RmsAngle(const RotationPairs& pairs, const RotationAlignment& alignment) 
   return std::sqrt(sum / n);
 }
 
-void AddNoise(double sigma, RotationPairs* pairs) {
+// Noise, and every fifth sample far off.
+void Disturb(RotationPairs* pairs) {
   std::mt19937 random(7);
-  std::normal_distribution<double> normal(0.0, sigma);
-  for (Quaterniond& q : pairs->estimate)
-    q = q * Exp(Vector3d(normal(random), normal(random), normal(random)));
+  std::normal_distribution<double> normal(0.0, 0.2);
+  for (std::size_t i = 0; i < pairs->size(); ++i)
+    pairs->estimate[i] = pairs->estimate[i] *
+                         Exp(Vector3d(normal(random), normal(random), normal(random))) *
+                         Exp(Vector3d(i % 5 == 0 ? 2.0 : 0.0, 0.0, 0.0));
 }
 
 Quaterniond Smooth(double t) { return SmoothRotation(t); }
@@ -92,7 +95,7 @@ TEST(AlignBothSides, WorksOnHalfTurnsAndAcrossGaps) {
 TEST(AlignBothSides, LeavesTheLeastMeanSquaredAngle) {
   for (const auto& motion : {Smooth, Hinge}) {
     RotationPairs pairs = Turned(kProximal, motion, kDistal);
-    AddNoise(0.2, &pairs);
+    Disturb(&pairs);
     const RotationAlignment best = AlignBothSides(pairs);
     const double least = RmsAngle(pairs, best);
     EXPECT_LT(least, RmsAngle(pairs, {.proximal = kProximal, .distal = kDistal}));

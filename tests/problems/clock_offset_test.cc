@@ -69,6 +69,18 @@ TEST(ClockOffset, IsFoundDespiteNoiseDriftAndGaps) {
   EXPECT_NEAR(ClockOffsetOf(MovingArm(), reference).seconds, 0.0337, 5e-4);
 }
 
+TEST(ClockOffset, IsFoundWhereMostRowsOfTheReferenceAreLost) {
+  Reference whole = SeenBy(100, 0.0337), lossy;
+  for (std::size_t i = 0; i < whole.time.size(); ++i) {
+    if (i % 50 >= 20) continue;
+    lossy.time.push_back(whole.time[i]);
+    lossy.q_VB[Segment::kForearm].push_back(whole.q_VB[Segment::kForearm][i]);
+  }
+  const ClockOffset offset = ClockOffsetOf(MovingArm(), lossy);
+  EXPECT_NEAR(offset.seconds, 0.0337, 5e-4);
+  EXPECT_GT(offset.correlation.value(), 0.999);
+}
+
 TEST(ClockOffset, IsFoundFromPositionsAloneInThePlane) {
   Reference reference = SeenBy(120, 0.0);
   reference.q_VB.clear();

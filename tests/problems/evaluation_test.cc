@@ -150,6 +150,25 @@ TEST(Evaluate, GivesBackTheSpreadOfNoiseInAnAngle) {
   EXPECT_GT(pronation.correlation.value(), 0.99);
 }
 
+TEST(Evaluate, TakesTheShortWayRoundTheCircleForAnAngle) {
+  Pair pair = Agreeing();
+  auto& q_VF = pair.reference.q_VB[Segment::kForearm];
+  Turn(kNone, &q_VF, Exp(Vector3d(0, 100 * kDegree, 0)));  // pronation passes 180 deg
+  pair.estimate.q_WB[Segment::kForearm] = q_VF;
+  Turn(kNone, &pair.estimate.q_WB[Segment::kForearm], Exp(Vector3d(0, 2 * kDegree, 0)));
+  const Statistics pronation =
+      Evaluate(pair.estimate, pair.reference).joint_angles.at("forearm_pronation");
+  EXPECT_NEAR(pronation.bias, 2 * kDegree, 1e-9);
+  EXPECT_NEAR(pronation.max, 2 * kDegree, 1e-9);
+}
+
+TEST(Evaluate, ForgivesAReferenceItsRounding) {
+  Pair pair = Agreeing();
+  for (Quaterniond& q : pair.reference.q_VB[Segment::kUpperArm]) q.coeffs() *= 1.0009;
+  for (const auto& [name, angle] : Evaluate(pair.estimate, pair.reference).joint_angles)
+    EXPECT_LT(angle.max, 1e-9) << name;
+}
+
 TEST(Evaluate, ReadsBothSidesAlike) {
   Pair pair = Agreeing();
   Turn(kNone, &pair.estimate.q_WB[Segment::kForearm], Exp(Vector3d(0.01, 0.03, -0.02)));
@@ -186,6 +205,7 @@ TEST(Evaluate, EstimatesTheClockOffsetAndSaysSo) {
   const Evaluation evaluation = Evaluate(pair.estimate, pair.reference);
   EXPECT_NEAR(evaluation.clock_offset.seconds, 0.0373, 5e-4);
   EXPECT_EQ(evaluation.clock_offset.source, ClockOffset::Source::kEstimated);
+  EXPECT_LT(ForearmInUpperArm(evaluation).raw.rotation.max, 5e-3);
 }
 
 TEST(Evaluate, BridgesNoGapOfEitherAndCountsWhatItLeavesOut) {
