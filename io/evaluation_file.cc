@@ -143,8 +143,7 @@ Json ToJson(const ClockOffset& offset) {
 
 // Puts the text in its place in one step.
 void WriteAside(const fs::path& path, const std::string& text) {
-  const fs::path draft = path.parent_path() /
-                         ("." + path.filename().string() + ".partial." + std::to_string(getpid()));
+  const fs::path draft = path.string() + ".partial." + std::to_string(getpid());
   try {
     OutputFile file(draft.string());
     file.Append(text);
