@@ -47,7 +47,7 @@ class ReferenceReader {
         entry_(entry),
         usable_(FindUsableRows(table, [](std::size_t) { return true; })) {}
 
-  const UsableRows& usable() const { return usable_; }
+  const UsableRows& Usable() const { return usable_; }
 
   std::vector<double> Times() const {
     const std::vector<double>& column = table_.Column("time_s");
@@ -208,7 +208,7 @@ ReferenceFile ParseReference(std::string_view text, const std::string& file,
   WarnOfMillimetres(reference, entry.file, findings);
   const Steps steps = MeasureSteps(reference.time);
   CheckStepUnit(steps, file);
-  ReportRows(table, reader.usable(), steps, entry.file, findings);
+  ReportRows(table, reader.Usable(), steps, entry.file, findings);
   result.facts = {.file = entry.file,
                   .samples = reference.time.size(),
                   .rate_hz = 1.0 / steps.median,
