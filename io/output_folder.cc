@@ -40,7 +40,8 @@ std::string DraftBeside(const std::string& folder) {
   const fs::path path(folder);
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
-  const std::string name = "." + path.filename().string() + ".partial." + std::to_string(getpid());
+  std::string name(".");
+  name.append(path.filename().string()).append(".partial.").append(std::to_string(getpid()));
   const std::string draft = (path.parent_path() / name).string();
   fs::remove_all(draft, error);
   if (!fs::create_directory(draft, error))
