@@ -41,6 +41,8 @@ std::string ExpectedValue(const Flag& flag) {
   return kExpected[flag.field.index()];
 }
 
+bool IsTruth(const Flag& flag) { return std::holds_alternative<bool*>(flag.field); }
+
 }  // namespace
 
 std::string Text(const FlagValue& value) {
@@ -138,6 +140,12 @@ const Flag* CommandLine::Find(const std::string& name) const {
   return found == flags_.end() ? nullptr : &*found;
 }
 
+// The flag that --noNAME sets to false, if NAME is one of true or false.
+const Flag* CommandLine::FindNegated(const std::string& name) const {
+  const Flag* flag = name.starts_with("no") ? Find(name.substr(2)) : nullptr;
+  return flag != nullptr && IsTruth(*flag) ? flag : nullptr;
+}
+
 void CommandLine::Read() {
   for (std::size_t word = 0; word < words_.size();) word = ReadFlag(word);
 }
@@ -149,22 +157,14 @@ std::size_t CommandLine::ReadFlag(std::size_t word) {
     throw UsageError(origin + "'" + text + "' is no flag; write --name=value, see brachium " +
                      command_ + " --help");
   const SplitFlag split = Split(text);
-  const Flag* flag = Find(split.name);
-  if (flag == nullptr && !split.value && split.name.starts_with("no")) {
-    flag = Find(split.name.substr(2));
-    if (flag != nullptr && std::holds_alternative<bool*>(flag->field)) {
-      Set(*flag, "false", origin);
-      return word + 1;
-    }
-    flag = nullptr;
-  }
-  if (flag == nullptr) RefuseUnknown(words_[word], split.name);
-  if (split.value) {
-    Set(*flag, *split.value, origin);
+  if (const Flag* flag = FindNegated(split.name); flag != nullptr && !split.value) {
+    Set(*flag, "false", origin);
     return word + 1;
   }
-  if (std::holds_alternative<bool*>(flag->field)) {
-    Set(*flag, "true", origin);
+  const Flag* flag = Find(split.name);
+  if (flag == nullptr) RefuseUnknown(words_[word], split.name);
+  if (split.value || IsTruth(*flag)) {
+    Set(*flag, split.value.value_or("true"), origin);
     return word + 1;
   }
   if (!origin.empty() || word + 1 == words_.size() || !words_[word + 1].origin.empty())

@@ -80,6 +80,7 @@ class CommandLine {
   void ExpandFile(const std::string& path, int depth);
   void Register(const std::string& group, const char* name, FlagField field, const char* help);
   const Flag* Find(const std::string& name) const;
+  const Flag* FindNegated(const std::string& name) const;
   std::size_t ReadFlag(std::size_t word);
   void Set(const Flag& flag, const std::string& value, const std::string& origin) const;
   [[noreturn]] void RefuseUnknown(const Word& word, const std::string& name) const;

@@ -51,7 +51,7 @@ class ProgramTest : public testing::Test {
 
   Outcome Run(const std::vector<std::string>& words) const {
     std::string command = Quoted(BRACHIUM_PROGRAM);
-    for (const std::string& word : words) command += " " + Quoted(word);
+    for (const std::string& word : words) command.append(" ").append(Quoted(word));
     command += " </dev/null >" + Quoted(folder_.File("out")) + " 2>" + Quoted(folder_.File("err"));
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(folder_.File("out")),
