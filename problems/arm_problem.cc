@@ -309,8 +309,8 @@ void ArmProblem::AddShoulder() {
 
 void ArmProblem::AddRests(int sensor) {
   const Recording& recording = observations_.recordings[U(sensor)];
-  const double sigma = options_.zero_velocity_sigma_m_s;
   for (const RestInterval& rest : rests_[U(sensor)]) {
+    const double sigma = options_.zero_velocity_sigma_m_s * rest.slack;
     const int first = timeline_.KnotBefore(rest.start), last = timeline_.KnotBefore(rest.end);
     for (int knot = first; knot <= last; ++knot) {
       if (timeline_.knots[U(knot)] < rest.start) continue;
@@ -325,6 +325,7 @@ void ArmProblem::AddRests(int sensor) {
             ResidualKind::kZeroVelocity, {Velocity(knot - 1, sensor), Velocity(knot, sensor)},
             sensor, knot - 1, knot);
     }
+    if (rest.slack > 1.0) continue;  // a rocking sensor's mean rate is not its bias
     for (int node = timeline_.NodeBefore(rest.start); node + 1 < size_.nodes; ++node) {
       const double begin = timeline_.NodeTime(node), end = timeline_.NodeTime(node + 1);
       if (begin >= rest.end) break;
@@ -390,6 +391,7 @@ State ArmProblem::PriorState() const {
     Vector3d bias = Vector3d::Zero();
     double weight = 0.0;
     for (const RestInterval& rest : rests_[U(sensor)]) {
+      if (rest.slack > 1.0) continue;
       const double length = rest.probability * (rest.end - rest.start);
       bias += length * rest.mean_rate;
       weight += length;

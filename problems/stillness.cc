@@ -8,6 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+double Square(double x) { return x * x; }
+
 // Running sums of a signal and its square: mean and variance of any window in constant time.
 class RunningMoments {
  public:
@@ -36,17 +38,23 @@ class RunningMoments {
 };
 
 struct Tolerances {
-  double rate_squared, force_squared;
+  double rate_squared, force_squared;  // for a rest of this recording
+  double slack_squared;                // the larger of their ratios to those of a still person
 };
 
 // What a rest may show: real motion, and the sensor's white noise at its sampling rate.
-Tolerances TolerancesOf(const Recording& recording, const StillnessOptions& options) {
+Tolerances TolerancesOf(const Recording& recording, const RunningMoments& rate,
+                        const RunningMoments& force, const StillnessOptions& options) {
   const double bandwidth = 0.5 / SamplingPeriod(recording);
-  const double rate = options.rate_deg_s * kDegree;
   const ImuNoise& noise = recording.noise;
-  return {rate * rate + 3 * noise.gyro_density * noise.gyro_density * bandwidth,
-          options.force * options.force +
-              3 * noise.accel_density * noise.accel_density * bandwidth};
+  const double still_rate = Square(options.rate_deg_s * kDegree), still_force = Square(options.force);
+  const std::size_t n = recording.size();
+  const double share = Square(options.share_of_motion);
+  const double rate_squared = std::max(still_rate, share * rate.Spread(0, n, rate.Mean(0, n)));
+  const double force_squared = std::max(still_force, share * force.Spread(0, n, force.Mean(0, n)));
+  return {rate_squared + 3 * Square(noise.gyro_density) * bandwidth,
+          force_squared + 3 * Square(noise.accel_density) * bandwidth,
+          std::max(rate_squared / still_rate, force_squared / still_force)};
 }
 
 // Mean rate of the second in which rate and force vary least: the bias, if that second is a rest.
@@ -102,6 +110,14 @@ RestInterval Describe(const Recording& recording, std::size_t begin, std::size_t
   return rest;
 }
 
+// A rest of mean statistic T: the quieter, the less of the tolerance it used.
+RestInterval Judge(const Recording& recording, std::size_t begin, std::size_t end, double T,
+                   const Tolerances& tolerances) {
+  RestInterval rest = Describe(recording, begin, end, Logistic(T));
+  rest.slack = std::max(1.0, std::sqrt(tolerances.slack_squared * T / 2));
+  return rest;
+}
+
 }  // namespace
 
 std::vector<RestInterval> DetectRests(const Recording& recording,
@@ -109,7 +125,7 @@ std::vector<RestInterval> DetectRests(const Recording& recording,
   const std::size_t n = recording.size();
   const double period = SamplingPeriod(recording);
   const RunningMoments rate(recording.gyr_S), force(recording.acc_S);
-  const Tolerances tolerances = TolerancesOf(recording, options);
+  const Tolerances tolerances = TolerancesOf(recording, rate, force, options);
   const Vector3d bias = QuietestBias(recording, rate, force, tolerances);
   const auto half = std::max<std::size_t>(2, static_cast<std::size_t>(options.window_s / period / 2));
 
@@ -137,7 +153,7 @@ std::vector<RestInterval> DetectRests(const Recording& recording,
       sum += statistic[end++];
     if (recording.time[end - 1] - recording.time[begin] >= options.shortest_s)
       rests.push_back(
-          Describe(recording, begin, end, Logistic(sum / static_cast<double>(end - begin))));
+          Judge(recording, begin, end, sum / static_cast<double>(end - begin), tolerances));
     begin = end;
   }
   return rests;
@@ -152,7 +168,9 @@ RestInterval PartOfRest(const Recording& recording, const RestInterval& rest, do
   const std::size_t first = at(std::max(start, rest.start));
   const std::size_t last = at(std::nextafter(std::min(end, rest.end), 1e300));
   if (last < first + 3) return {.probability = 0.0};
-  return Describe(recording, first, last, rest.probability);
+  RestInterval part = Describe(recording, first, last, rest.probability);
+  part.slack = rest.slack;
+  return part;
 }
 
 }  // namespace brachium

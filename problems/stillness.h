@@ -8,17 +8,20 @@
 
 namespace brachium {
 
-// Tolerances of the motion that a rest may still hold (breathing, tremor, a rocking foot).
+// Tolerances of the motion that a rest may still hold: breathing and tremor of a person who keeps
+// still, or the rocking of a foot or hand that stops for a moment between fast movements.
 struct StillnessOptions {
-  double window_s = 0.3;          // over which stillness is judged
-  double shortest_s = 0.2;        // a rest is at least as long
+  double window_s = 0.2;          // over which stillness is judged
+  double shortest_s = 0.15;       // a rest is at least as long
   double rate_deg_s = 2.0;        // rms of the angular rate about its bias
   double force = 0.10;            // rms of the specific force about its mean [m/s²]
+  double share_of_motion = 0.06;  // or this share of the recording's own rms, where that is more
 };
 
 struct RestInterval {
   double start = 0.0, end = 0.0;                          // [s]
   double probability = 1.0;                               // that it is a rest
+  double slack = 1.0;  // how many times the tolerance of a person who keeps still it needed, >= 1
   Eigen::Vector3d mean_rate = Eigen::Vector3d::Zero();    // sensor axes [rad/s]
   Eigen::Vector3d mean_force = Eigen::Vector3d::Zero();   // sensor axes [m/s²]
   double sway = 0.0;  // rms of the detrended integrated rate, per axis [rad]

@@ -9,6 +9,11 @@ namespace {
 // shrink where that fails.
 constexpr double kStartTrustRegion = 1e8;
 
+bool IsGeometry(UnknownKind kind) {
+  return kind == UnknownKind::kAccelScale || kind == UnknownKind::kSensorPosition ||
+         kind == UnknownKind::kJointVector;
+}
+
 }  // namespace
 
 ceres::Solver::Summary Solve(const ArmProblem& problem, State& state, const CarriedPrior& prior,
@@ -29,6 +34,10 @@ ceres::Solver::Summary Solve(const ArmProblem& problem, State& state, const Carr
       if (problem.Describe(unknowns[i]).kind == UnknownKind::kAttitude &&
           !least_squares.HasManifold(values[i]))
         least_squares.SetManifold(values[i], &rotation);
+    if (!options.hold_geometry && !getenv("HOLD")) return;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      if (IsGeometry(problem.Describe(unknowns[i]).kind))
+        least_squares.SetParameterBlockConstant(values[i]);
   };
   if (prior.cost != nullptr) add(prior.cost.get(), prior.unknowns);
   const auto& terms = problem.terms();
