@@ -51,12 +51,11 @@ Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPerio
   }
   edges_.push_back(recording.time[n - 1] + period / 2);
 
-  gyr_slope_.assign(gyr_.size(), Vector3d::Zero());
-  acc_slope_.assign(acc_.size(), Vector3d::Zero());
-  for (std::size_t i = 1; i + 1 < gyr_.size(); ++i) {
-    const double span = centres_[i + 1] - centres_[i - 1];
-    gyr_slope_[i] = (gyr_[i + 1] - gyr_[i - 1]) / span;
-    acc_slope_[i] = (acc_[i + 1] - acc_[i - 1]) / span;
+  for (std::size_t i = 0; i < gyr_.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, gyr_.size() - 1);
+    const double span = centres_[after] - centres_[before];
+    gyr_slope_.push_back((gyr_[after] - gyr_[before]) / span);
+    acc_slope_.push_back((acc_[after] - acc_[before]) / span);
   }
 }
 
