@@ -36,6 +36,7 @@ std::string_view Name(ResidualKind kind) {
     case ResidualKind::kGyroscope: return "gyroscope";
     case ResidualKind::kAccelerometer: return "accelerometer";
     case ResidualKind::kElbowAdduction: return "elbow_adduction";
+    case ResidualKind::kAdductionProcess: return "adduction_process";
     case ResidualKind::kShoulderProcess: return "shoulder_process";
     case ResidualKind::kZeroVelocity: return "zero_velocity";
     case ResidualKind::kGyroBiasRest: return "gyro_bias_rest";
@@ -63,6 +64,7 @@ bool ModelOptions::IsValid(std::string* why) const {
 
 int Unknown::Size() const {
   if (kind == UnknownKind::kAttitude) return 4;
+  if (kind == UnknownKind::kAdduction) return 1;
   return kind == UnknownKind::kCarryingAngle ? 2 : 3;
 }
 
@@ -78,7 +80,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   has_thorax_ = observations_.recordings[0].segment == Segment::kThorax;
   size_ = {sensors, has_thorax_ && sensors > 1 ? 2 : 1, static_cast<int>(timeline_.knots.size()),
            static_cast<int>(timeline_.nodes.size())};
-  per_knot_ = 2 * sensors + size_.roots;
+  per_knot_ = 2 * sensors + size_.roots + 1;  // and the elbow's deviation
   first_node_ = per_knot_ * size_.knots;
   first_constant_ = first_node_ + sensors * size_.nodes;
   unmodelled_.assign(U(sensors), options.unmodelled_acceleration);
@@ -112,6 +114,7 @@ Unknown ArmProblem::Describe(int unknown) const {
     return {UnknownKind::kGyroBias, (unknown - first_node_) / size_.sensors,
             (unknown - first_node_) % size_.sensors};
   const int knot = unknown / per_knot_, rest = unknown % per_knot_;
+  if (rest == per_knot_ - 1) return {UnknownKind::kAdduction, knot, -1};
   if (rest < size_.sensors) return {UnknownKind::kAttitude, knot, rest};
   if (rest < size_.sensors + size_.roots) return {UnknownKind::kRoot, knot, rest - size_.sensors};
   return {UnknownKind::kVelocity, knot, rest - size_.sensors - size_.roots};
@@ -123,6 +126,7 @@ double* ArmProblem::Value(State& state, int unknown) const {
     case UnknownKind::kAttitude: return state.Attitude(u.place, u.sensor);
     case UnknownKind::kRoot: return state.Root(u.place, u.sensor);
     case UnknownKind::kVelocity: return state.Velocity(u.place, u.sensor);
+    case UnknownKind::kAdduction: return state.Adduction(u.place);
     case UnknownKind::kGyroBias: return state.GyroBias(u.place, u.sensor);
     default: return state.Constant(u.kind, u.sensor);
   }
@@ -261,20 +265,22 @@ void ArmProblem::AddElbow() {
   const Side side = observations_.arm.side;
   const double sigma = options_.elbow_adduction_sigma_deg * kDegree;
   const double stop = options_.range_of_motion_sigma_deg * kDegree;
-  Add(ElbowAdductionStart(side, sigma), ResidualKind::kElbowAdduction,
-      {Attitude(0, upper), Attitude(0, fore), carrying}, -1, 0, 0);
+  const double wobble = std::sqrt(2 * options_.elbow_wobble_correlation_s) *
+                        options_.elbow_wobble_sigma_deg * kDegree;
+  Add(Prior<1>(Eigen::Matrix<double, 1, 1>::Zero(), Eigen::Matrix<double, 1, 1>(sigma)),
+      ResidualKind::kAdductionProcess, {Adduction(0)}, -1, 0, 0);
   for (int knot = 0; knot < size_.knots; ++knot) {
     Add(ElbowRangeOfMotion(kFlexionLimits[0], kFlexionLimits[1], stop),
         ResidualKind::kRangeOfMotion, {Attitude(knot, upper), Attitude(knot, fore)}, -1, knot,
         knot);
-    if (knot == 0) continue;
-    const double step = timeline_.knots[U(knot)] - timeline_.knots[U(knot) - 1];
-    Add(ElbowAdduction(
-            side, FirstOrderStep::Over(step, sigma, options_.elbow_adduction_correlation_s)),
-        ResidualKind::kElbowAdduction,
-        {Attitude(knot - 1, upper), Attitude(knot - 1, fore), Attitude(knot, upper),
-         Attitude(knot, fore), carrying},
-        -1, knot - 1, knot);
+    const int before = std::max(knot, 1) - 1;
+    const double step = timeline_.knots[U(before) + 1] - timeline_.knots[U(before)];
+    Add(ElbowAdduction(side, wobble / std::sqrt(step)), ResidualKind::kElbowAdduction,
+        {Attitude(knot, upper), Attitude(knot, fore), carrying, Adduction(knot)}, -1, knot, knot);
+    if (knot > 0)
+      Add(AdductionProcess(
+              FirstOrderStep::Over(step, sigma, options_.elbow_adduction_correlation_s)),
+          ResidualKind::kAdductionProcess, {Adduction(before), Adduction(knot)}, -1, before, knot);
   }
 }
 

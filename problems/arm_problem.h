@@ -21,7 +21,9 @@ namespace brachium {
 // How far the relations hold. Physical sigmas, independent of sampling rate and knot spacing.
 struct ModelOptions {
   double elbow_adduction_sigma_deg = 5.0;
-  double elbow_adduction_correlation_s = 2.0;
+  double elbow_adduction_correlation_s = 10.0;
+  double elbow_wobble_sigma_deg = 3.0;
+  double elbow_wobble_correlation_s = 0.2;
   double zero_velocity_sigma_m_s = 0.005;
   double zero_velocity_correlation_s = 0.5;
   double range_of_motion_sigma_deg = 5.0;
@@ -39,6 +41,10 @@ struct ModelOptions {
           "ties the relative heading down harder, and to a wrong value where the elbow deviates.");
     visit("elbow_adduction_correlation_s", options.elbow_adduction_correlation_s,
           "How long such a deviation lasts [s]. More trusts each second of the constraint less.");
+    visit("elbow_wobble_sigma_deg", options.elbow_wobble_sigma_deg,
+          "Fast deviation beside it [deg]: soft tissue wobbling under the sensors.");
+    visit("elbow_wobble_correlation_s", options.elbow_wobble_correlation_s,
+          "How long a wobble lasts [s].");
     visit("zero_velocity_sigma_m_s", options.zero_velocity_sigma_m_s,
           "Velocity left in a rest [m/s].");
     visit("zero_velocity_correlation_s", options.zero_velocity_correlation_s,
@@ -66,6 +72,7 @@ enum class ResidualKind {
   kGyroscope,
   kAccelerometer,
   kElbowAdduction,
+  kAdductionProcess,
   kShoulderProcess,
   kZeroVelocity,
   kGyroBiasRest,
@@ -115,6 +122,7 @@ class ArmProblem {
   int Velocity(int knot, int sensor) const {
     return knot * per_knot_ + size_.sensors + size_.roots + sensor;
   }
+  int Adduction(int knot) const { return knot * per_knot_ + per_knot_ - 1; }
   int GyroBias(int node, int sensor) const { return first_node_ + node * size_.sensors + sensor; }
   int Constant(UnknownKind kind, int sensor) const;  // -1 where the problem has none
   int FirstConstant() const { return first_constant_; }

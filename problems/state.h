@@ -7,11 +7,13 @@
 
 namespace brachium {
 
-// What an unknown is; its block holds 4 numbers for an attitude, 2 for the carrying angle, else 3.
+// What an unknown is; its block holds 4 numbers for an attitude, 2 for the carrying angle, 1 for a
+// deviation, else 3.
 enum class UnknownKind {
   kAttitude,         // q_WB [x y z w]
   kRoot,             // root joint of the arm, or of the thorax, in W [m]
   kVelocity,         // of a sensor in W [m/s]
+  kAdduction,        // slow deviation of the elbow from its carrying angle [rad]
   kGyroBias,         // at a node, sensor axes [rad/s]
   kAccelBias,        // sensor axes [m/s²]
   kAccelScale,       // per sensor axis [1]
@@ -40,6 +42,7 @@ class State {
   double* Velocity(int knot, int sensor) {
     return &x_[KnotOffset(knot) + 4 * U(size_.sensors) + 3 * U(size_.roots) + 3 * U(sensor)];
   }
+  double* Adduction(int knot) { return &x_[KnotOffset(knot + 1) - 1]; }
   double* GyroBias(int node, int sensor) {
     return &x_[nodes_begin_ + 3 * (U(node) * U(size_.sensors) + U(sensor))];
   }

@@ -13,8 +13,8 @@ namespace brachium {
 struct StillnessOptions {
   double window_s = 0.2;          // over which stillness is judged
   double shortest_s = 0.15;       // a rest is at least as long
-  double rate_deg_s = 2.0;        // rms of the angular rate about its bias
-  double force = 0.10;            // rms of the specific force about its mean [m/s²]
+  double rate_deg_s = 1.0;        // rms of the angular rate about its bias
+  double force = 0.06;            // rms of the specific force about its mean [m/s²]
   double share_of_motion = 0.06;  // or this share of the recording's own rms, where that is more
 };
 

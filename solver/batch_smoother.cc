@@ -34,10 +34,9 @@ Observations ProximalToDistal(Observations observations) {
 }
 
 // The whole trial to convergence.
-void SolveWholeTrial(const ArmProblem& problem, State& state, int threads,
+void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions& options,
                      Diagnostics& diagnostics) {
-  const auto summary = Solve(problem, state, {}, 0, problem.size().knots - 1,
-                             {.most_iterations = 50, .threads = threads});
+  const auto summary = Solve(problem, state, {}, 0, problem.size().knots - 1, options);
   if (diagnostics.iterations == 0) diagnostics.initial_cost = summary.initial_cost;
   diagnostics.iterations += static_cast<int>(summary.iterations.size()) - 1;
   diagnostics.final_cost = summary.final_cost;
@@ -93,17 +92,27 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
 
   State state = problem.PriorState();
   const WindowReport windows = SolveForward(
-      problem, state, {options_.window_s, options_.window_advance_s}, progress);
+      problem, state,
+      {options_.window_s, options_.window_advance_s, options_.whole_trial}, progress);
   stage("windows");
 
-  if (options_.whole_trial) SolveWholeTrial(problem, state, options_.threads, diagnostics);
-  Certainty certainty = AssessCertainty(problem, state);
+  // The weights first, with lever arms and scales as told: free ones would absorb what the model
+  // leaves out, and the weights would confirm them.
   for (int i = 0; i < options_.weight_iterations && options_.whole_trial; ++i) {
-    if (progress) progress("whole trial", (i + 1.0) / (options_.weight_iterations + 1.0));
-    problem.SetUnmodelledAcceleration(certainty.unmodelled_acceleration);
-    SolveWholeTrial(problem, state, options_.threads, diagnostics);
-    certainty = AssessCertainty(problem, state);
+    if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
+    SolveWholeTrial(problem, state,
+                    {.most_iterations = 20,
+                     .function_tolerance = 1e-6,
+                     .threads = options_.threads,
+                     .hold_geometry = i < 2},
+                    diagnostics);
+    problem.SetUnmodelledAcceleration(AssessCertainty(problem, state).unmodelled_acceleration);
   }
+  if (progress) progress("whole trial", 0.9);
+  if (options_.whole_trial)
+    SolveWholeTrial(problem, state, {.most_iterations = 100, .threads = options_.threads},
+                    diagnostics);
+  const Certainty certainty = AssessCertainty(problem, state);
   stage("whole trial");
 
   FillTrajectory(problem, state, estimate);

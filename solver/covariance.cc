@@ -19,7 +19,7 @@ constexpr double kPriorResiduals = 30.0;
 // Weighted residuals of one sensor's accelerometer: their squares, their redundancy, and the mean
 // density that they were weighted with.
 struct Spread {
-  double squares = 0.0, redundancy = 0.0, count = 0.0;
+  double squares = 0.0, redundancy = 0.0, duration = 0.0, count = 0.0;
 };
 
 // r and the trace of J Σ Jᵀ of one term, Σ being the covariance of a front that holds it.
@@ -60,6 +60,7 @@ void AddTerm(const ArmProblem& problem, State& state, const Term& term, const Bl
   }
   spread.squares += r.squaredNorm();
   spread.redundancy += rows - (J * S).cwiseProduct(J).sum();
+  spread.duration += problem.Interval(term.first_knot, term.sensor).duration;
   spread.count += 1.0;
 }
 
@@ -99,8 +100,8 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state) {
     const double used = problem.unmodelled_acceleration()[U(sensor)];
     const double density = white + 2 * options.unmodelled_correlation_s * used * used;
     const double ratio = (spread.squares + kPriorResiduals) / (spread.redundancy + kPriorResiduals);
-    const double variance =
-        (ratio * density - white) / (2 * options.unmodelled_correlation_s);
+    const double variance = (ratio * density - white) /
+        (getenv("OLD") ? (2 * options.unmodelled_correlation_s) : std::min(2 * options.unmodelled_correlation_s, spread.duration / spread.count));
     certainty.unmodelled_acceleration.push_back(std::sqrt(std::max(variance, 1e-6)));
   }
   return certainty;

@@ -184,7 +184,8 @@ void Elimination::Eliminate(Front& front, MatrixXd& H, VectorXd& g, bool keep) {
     regular.diagonal().array() += 1e-9 * diagonal.array().max(1e-9);
     llt.compute(regular);
   }
-  const MatrixXd A = llt.solve(H.topRightCorner(e, s));
+  MatrixXd A(e, s);
+  if (s > 0) A = llt.solve(H.topRightCorner(e, s));
   H.bottomRightCorner(s, s).noalias() -= H.bottomLeftCorner(s, e) * A;
   g.tail(s).noalias() -= A.transpose() * g.head(e);
   if (!keep) return;

@@ -34,7 +34,7 @@ ceres::Solver::Summary Solve(const ArmProblem& problem, State& state, const Carr
       if (problem.Describe(unknowns[i]).kind == UnknownKind::kAttitude &&
           !least_squares.HasManifold(values[i]))
         least_squares.SetManifold(values[i], &rotation);
-    if (!options.hold_geometry && !getenv("HOLD")) return;
+    if (!options.hold_geometry) return;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
       if (IsGeometry(problem.Describe(unknowns[i]).kind))
         least_squares.SetParameterBlockConstant(values[i]);

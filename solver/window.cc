@@ -16,8 +16,8 @@ constexpr double kDistinct = 20 * kDegree;
 constexpr double kLongestSettling = 80.0;  // [s]
 
 // Windows need not be solved to the last digit: the whole trial follows.
-constexpr SolveOptions kWindowSolve{.most_iterations = 20, .function_tolerance = 1e-7,
-                                    .step_tolerance = 1e-7};
+constexpr SolveOptions kWindowSolve{
+    .most_iterations = 20, .function_tolerance = 1e-7, .step_tolerance = 1e-7};
 
 // Lever arms that may flip would let a wrong heading explain everything.
 constexpr SolveOptions kSettlingSolve{.most_iterations = 20, .function_tolerance = 1e-5,
@@ -63,7 +63,6 @@ bool TryHeadings(const ArmProblem& problem, State& state, int sensor, int last,
     const auto summary = Solve(problem, trial.state, {}, 0, last, kSettlingSolve);
     report.iterations += static_cast<int>(summary.iterations.size()) - 1;
     trial.cost = summary.final_cost;
-    if(getenv("DBG")) fprintf(stderr,"span %d sensor %d try %d cost %g head %g\n",last,sensor,i,trial.cost,RelativeHeading(trial.state,sensor)/kDegree);
     found.emplace_back(RelativeHeading(trial.state, sensor), trial.cost);
     if (!best || trial.cost < best->cost) best = std::move(trial);
   }
@@ -80,9 +79,6 @@ bool TryHeadings(const ArmProblem& problem, State& state, int sensor, int last,
 void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOptions& options,
                          WindowReport& report) {
   const State start = state;
-  if(getenv("SCAN")){ for(int i=0;i<12;++i){ State st=start; TurnFirstKnot(st,1,i*30*kDegree); int last=KnotAt(problem,atof(getenv("SCAN"))); DeadReckon(problem,st,0,last);
-    double c0; {State s2=st; SolveOptions o=kSettlingSolve; o.most_iterations=0; c0=Solve(problem,s2,{},0,last,o).final_cost;}
-    SolveOptions o=kSettlingSolve; o.most_iterations=60; auto su=Solve(problem,st,{},0,last,o); fprintf(stderr,"scan %d head0 %g cost0 %g cost %g head %g it %zu bias",i,RelativeHeading(start,1)/kDegree+30*i,c0,su.final_cost,RelativeHeading(st,1)/kDegree,su.iterations.size()); for(int k=0;k<2;++k)for(int j=0;j<3;++j)fprintf(stderr," %.3f",st.GyroBias(0,k)[j]/kDegree); for(int k=0;k<2;++k)for(int j=0;j<3;++j)fprintf(stderr," %.3f",st.Constant(UnknownKind::kAccelBias,k)[j]); fprintf(stderr,"\n");} }
   const double begin = problem.timeline().knots.front();
   for (double span = options.length;; span *= 2) {
     state = start;
@@ -106,7 +102,8 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
   const Timeline& timeline = problem.timeline();
   const int last = timeline.Intervals();
   const double begin = timeline.knots.front(), span = timeline.knots.back() - begin;
-  if (report.settling_span > 0.99*span && getenv("SKIP")) return report;
+  SolveOptions solve = kWindowSolve;
+  solve.hold_geometry = options.hold_geometry;
   Elimination::Workspace workspace;
   CarriedPrior prior;
   int known = 0;  // knots up to here have a value
@@ -115,7 +112,7 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     int end = std::max(KnotAt(problem, time + options.length), start + 1);
     if (end + 1 >= last) end = last;
     DeadReckon(problem, state, known, end);
-    const auto summary = Solve(problem, state, prior, start, end, kWindowSolve);
+    const auto summary = Solve(problem, state, prior, start, end, solve);
     report.iterations += static_cast<int>(summary.iterations.size()) - 1;
     ++report.windows;
     known = end;

@@ -1,17 +1,19 @@
-// Elbow adduction: the elbow is a hinge with a carrying angle, up to a slow deviation.
+// Elbow adduction: the elbow is a hinge with a carrying angle, up to a slow deviation and a wobble.
 //
-//   e_k = (z_U·y_F + s sin κ) / cos κ,   κ = k0 + k1 (y_U·y_F)
-//   r   = (e_k - ρ e_k-1) / (σ sqrt(1 - ρ²)),   ρ = exp(-D/τ)
+//   r_k = (e_k - a_k) / σ_k,   e = (z_U·y_F + s sin κ) / cos κ,   κ = k0 + k1 (y_U·y_F)
+//   a:  (a_k - ρ a_k-1) / (σ sqrt(1 - ρ²)),   ρ = exp(-D/τ);   the first: a_0 / σ
 //
 // Frames    U upper arm, F forearm, ISB axes, all vectors in W: z_U the flexion axis, y long axes
 //           (proximal). With R_UF = Rz(flexion) Rx(β) Ry(·), sin β = z_U·y_F exactly and
 //           y_U·y_F = cos(flexion) cos β. s = +1 right, -1 left; valgus is -s β, so κ is positive
 //           when the forearm deviates away from the body.
-// Unknowns  q_WU, q_WF at knot k-1, then at k; carrying = [k0, k1] [rad].
-// Weight    σ [rad]: joint play, soft tissue, misplaced axes; τ [s]: how long a deviation lasts. Exact
-//           whitening of a first-order process, so the knot spacing does not matter.
-// Jacobian  ∂(a_U·b_F)/∂φ_U = (a × R_UF b)ᵀ, ∂/∂φ_F = (b × R_FU a)ᵀ for unit axes a, b;
-//           ∂e/∂(z_U·y_F) = 1/cos κ, ∂e/∂κ = s + e tan κ.
+// Unknowns  q_WU, q_WF, carrying = [k0, k1] [rad]; a_k: the slow deviation [rad].
+// Weight    σ, τ [rad, s]: joint play and misplaced axes, as long as a posture lasts; σ_k [rad]: the
+//           wobble of skin and muscle, white over the step: sqrt(2 σ_w² τ_w / D). One process for
+//           both would either call a wobble a lasting deviation or take it for hundreds of
+//           independent measurements of the heading.
+// Jacobian  ∂(u_U·v_F)/∂φ_U = (u × R_UF v)ᵀ, ∂/∂φ_F = (v × R_FU u)ᵀ for unit axes u, v;
+//           ∂e/∂(z_U·y_F) = 1/cos κ, ∂e/∂κ = s + e tan κ; ∂r/∂a_k = -1/σ_k.
 // Blind to  a rotation common to both segments; flexion; pronation. The relative heading δ changes
 //           β by -n_z/cos β with n = z_U × y_F: nothing where the hanging arm is straight.
 // Source    Luinge, Veltink & Baten, J. Biomech. 40 (2007) 78-85 (adduction as a measurement, their
@@ -20,7 +22,7 @@
 
 #include <cmath>
 
-#include "problems/residuals/cost.h"
+#include "problems/residuals/linear.h"
 #include "problems/residuals/whitening.h"
 #include "problems/segment.h"
 
@@ -65,45 +67,13 @@ struct AdductionDeviation {
 class ElbowAdduction {
  public:
   static constexpr int kResiduals = 1;
-  using Blocks = std::integer_sequence<int, 4, 4, 4, 4, 2>;
+  using Blocks = std::integer_sequence<int, 4, 4, 2, 1>;  // q_WU, q_WF, carrying, a_k
 
-  ElbowAdduction(Side side, const FirstOrderStep& step) : deviation_{Sign(side)}, step_(step) {}
-
-  template <typename T>
-  void operator()(const T* const* x, T* r) const {
-    r[0] = T(step_.weight) *
-           (deviation_(x[2], x[3], x[4]) - T(step_.rho) * deviation_(x[0], x[1], x[4]));
-  }
-
-  void Differentiate(const double* const* x, double* const* J) const {
-    using Row3 = Eigen::Map<Eigen::RowVector3d>;
-    const auto before = deviation_.Differentiate(x[0], x[1], x[4]);
-    const auto after = deviation_.Differentiate(x[2], x[3], x[4]);
-    const double before_weight = -step_.weight * step_.rho;
-    Row3{J[0]} = before_weight * before.phi_U;
-    Row3{J[1]} = before_weight * before.phi_F;
-    Row3{J[2]} = step_.weight * after.phi_U;
-    Row3{J[3]} = step_.weight * after.phi_F;
-    Eigen::Map<Eigen::RowVector2d>{J[4]} =
-        step_.weight * after.carrying + before_weight * before.carrying;
-  }
-
- private:
-  AdductionDeviation deviation_;
-  FirstOrderStep step_;
-};
-
-// The first knot of the trial: r = e_0 / σ.
-class ElbowAdductionStart {
- public:
-  static constexpr int kResiduals = 1;
-  using Blocks = std::integer_sequence<int, 4, 4, 2>;
-
-  ElbowAdductionStart(Side side, double sigma) : deviation_{Sign(side)}, weight_(1 / sigma) {}
+  ElbowAdduction(Side side, double sigma) : deviation_{Sign(side)}, weight_(1 / sigma) {}
 
   template <typename T>
   void operator()(const T* const* x, T* r) const {
-    r[0] = T(weight_) * deviation_(x[0], x[1], x[2]);
+    r[0] = T(weight_) * (deviation_(x[0], x[1], x[2]) - x[3][0]);
   }
 
   void Differentiate(const double* const* x, double* const* J) const {
@@ -111,11 +81,20 @@ class ElbowAdductionStart {
     Eigen::Map<Eigen::RowVector3d>{J[0]} = weight_ * gradient.phi_U;
     Eigen::Map<Eigen::RowVector3d>{J[1]} = weight_ * gradient.phi_F;
     Eigen::Map<Eigen::RowVector2d>{J[2]} = weight_ * gradient.carrying;
+    J[3][0] = -weight_;
   }
 
  private:
   AdductionDeviation deviation_;
   double weight_;
+};
+
+// The slow deviation from one knot to the next.
+class AdductionProcess : public Linear<1, 2> {
+ public:
+  using Blocks = std::integer_sequence<int, 1, 1>;  // a_k-1, a_k
+  explicit AdductionProcess(const FirstOrderStep& step)
+      : Linear({-step.weight * step.rho, step.weight}, Vector::Zero()) {}
 };
 
 }  // namespace brachium
