@@ -7,11 +7,16 @@ namespace brachium {
 SegmentGeometry DefaultGeometry(Segment segment, Side side) {
   constexpr double kSigma = 0.02;
   switch (segment) {
-    case Segment::kThorax: return {{0.0, 0.0, 0.17 * Sign(side)}, 0.04};
-    case Segment::kGirdle: return {{0.03, -0.06, 0.17 * Sign(side)}, 0.04};
-    case Segment::kUpperArm: return {{0.0, -0.30, 0.0}, kSigma};
-    case Segment::kForearm: return {{0.0, -0.25, 0.0}, kSigma};
-    case Segment::kHand: return {{0.0, -0.19, 0.0}, kSigma};
+    case Segment::kThorax:
+      return {{0.0, 0.0, 0.17 * Sign(side)}, 0.04};
+    case Segment::kGirdle:
+      return {{0.03, -0.06, 0.17 * Sign(side)}, 0.04};
+    case Segment::kUpperArm:
+      return {{0.0, -0.30, 0.0}, kSigma};
+    case Segment::kForearm:
+      return {{0.0, -0.25, 0.0}, kSigma};
+    case Segment::kHand:
+      return {{0.0, -0.19, 0.0}, kSigma};
   }
   return {};
 }

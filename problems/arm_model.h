@@ -21,8 +21,8 @@ struct SegmentGeometry {
 
 // Carrying angle (valgus positive, both sides) k = k0 + k1 (y_U . y_F); see elbow_adduction.h.
 struct ElbowModel {
-  bool adduction_constraint = true;       // false: a ball joint, or a rig
-  double carrying_angle = 10 * kDegree;   // k0 [rad], adults: 5-15 deg
+  bool adduction_constraint = true;           // false: a ball joint, or a rig
+  double carrying_angle = 10 * kDegree;       // k0 [rad], adults: 5-15 deg
   double carrying_angle_sigma = 8 * kDegree;  // [rad]
   double carrying_slope_sigma = 5 * kDegree;  // of k1 about zero [rad]
 };

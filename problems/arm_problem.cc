@@ -3,63 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/residuals/accelerometer.h"
-#include "problems/residuals/elbow_adduction.h"
-#include "problems/residuals/gyro_bias.h"
-#include "problems/residuals/gyroscope.h"
-#include "problems/residuals/heading_gauge.h"
-#include "problems/residuals/prior.h"
-#include "problems/residuals/range_of_motion.h"
-#include "problems/residuals/segment_length.h"
-#include "problems/residuals/shoulder_process.h"
-#include "problems/residuals/start_pose.h"
-#include "problems/residuals/thorax_shoulder.h"
-#include "problems/residuals/zero_velocity.h"
-
 namespace brachium {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGaugeSigma = 1e-4;            // of the first place [m]
-constexpr double kStartVelocitySigma = 2.0;     // a person may walk into a trial [m/s]
-constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
-
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
-
-double Square(double x) { return x * x; }
 
 }  // namespace
 
 std::string_view Name(ResidualKind kind) {
   switch (kind) {
-    case ResidualKind::kGyroscope: return "gyroscope";
-    case ResidualKind::kAccelerometer: return "accelerometer";
-    case ResidualKind::kElbowAdduction: return "elbow_adduction";
-    case ResidualKind::kAdductionProcess: return "adduction_process";
-    case ResidualKind::kShoulderProcess: return "shoulder_process";
-    case ResidualKind::kZeroVelocity: return "zero_velocity";
-    case ResidualKind::kGyroBiasRest: return "gyro_bias_rest";
-    case ResidualKind::kGyroBiasWalk: return "gyro_bias_walk";
-    case ResidualKind::kStartPose: return "start_pose";
-    case ResidualKind::kRangeOfMotion: return "range_of_motion";
-    case ResidualKind::kPrior: return "prior";
-    case ResidualKind::kSegmentLength: return "segment_length";
-    case ResidualKind::kGauge: return "gauge";
-    case ResidualKind::kMarginalPrior: return "marginal_prior";
+    case ResidualKind::kGyroscope:
+      return "gyroscope";
+    case ResidualKind::kAccelerometer:
+      return "accelerometer";
+    case ResidualKind::kElbowAdduction:
+      return "elbow_adduction";
+    case ResidualKind::kAdductionProcess:
+      return "adduction_process";
+    case ResidualKind::kShoulderProcess:
+      return "shoulder_process";
+    case ResidualKind::kZeroVelocity:
+      return "zero_velocity";
+    case ResidualKind::kGyroBiasRest:
+      return "gyro_bias_rest";
+    case ResidualKind::kGyroBiasWalk:
+      return "gyro_bias_walk";
+    case ResidualKind::kStartPose:
+      return "start_pose";
+    case ResidualKind::kRangeOfMotion:
+      return "range_of_motion";
+    case ResidualKind::kPrior:
+      return "prior";
+    case ResidualKind::kSegmentLength:
+      return "segment_length";
+    case ResidualKind::kGauge:
+      return "gauge";
+    case ResidualKind::kMarginalPrior:
+      return "marginal_prior";
   }
   return "";
-}
-
-bool ModelOptions::IsValid(std::string* why) const {
-  bool valid = true;
-  Visit(*this, [&](const std::string& name, double value, const char*) {
-    if (valid && !(value > 0.0 && std::isfinite(value)) && name != "gyro_scale") {
-      *why = name + " must be greater than 0";
-      valid = false;
-    }
-  });
-  return valid;
 }
 
 int Unknown::Size() const {
@@ -123,12 +107,18 @@ Unknown ArmProblem::Describe(int unknown) const {
 double* ArmProblem::Value(State& state, int unknown) const {
   const Unknown u = Describe(unknown);
   switch (u.kind) {
-    case UnknownKind::kAttitude: return state.Attitude(u.place, u.sensor);
-    case UnknownKind::kRoot: return state.Root(u.place, u.sensor);
-    case UnknownKind::kVelocity: return state.Velocity(u.place, u.sensor);
-    case UnknownKind::kAdduction: return state.Adduction(u.place);
-    case UnknownKind::kGyroBias: return state.GyroBias(u.place, u.sensor);
-    default: return state.Constant(u.kind, u.sensor);
+    case UnknownKind::kAttitude:
+      return state.Attitude(u.place, u.sensor);
+    case UnknownKind::kRoot:
+      return state.Root(u.place, u.sensor);
+    case UnknownKind::kVelocity:
+      return state.Velocity(u.place, u.sensor);
+    case UnknownKind::kAdduction:
+      return state.Adduction(u.place);
+    case UnknownKind::kGyroBias:
+      return state.GyroBias(u.place, u.sensor);
+    default:
+      return state.Constant(u.kind, u.sensor);
   }
 }
 
@@ -150,238 +140,6 @@ int ArmProblem::SensorOn(Segment segment) const {
   for (std::size_t i = 0; i < observations_.recordings.size(); ++i)
     if (observations_.recordings[i].segment == segment) return static_cast<int>(i);
   return -1;
-}
-
-template <typename Residual>
-void ArmProblem::Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor,
-                     int first, int last) {
-  terms_.push_back({std::unique_ptr<TangentCost>(MakeCost(std::move(residual))),
-                    std::move(unknowns), kind, sensor, first, last});
-}
-
-void ArmProblem::AddConstants() {
-  const auto add = [this](UnknownKind kind, int sensor) {
-    constants_.push_back({kind, -1, sensor});
-    return first_constant_ + static_cast<int>(constants_.size()) - 1;
-  };
-  const auto prior = [this](int unknown, const Vector3d& mean, double sigma, int sensor) {
-    Add(Prior<3>(mean, Vector3d::Constant(sigma)), ResidualKind::kPrior, {unknown}, sensor, 0, 0);
-  };
-  for (int sensor = 0; sensor < size_.sensors; ++sensor) {
-    const Recording& recording = observations_.recordings[U(sensor)];
-    prior(add(UnknownKind::kAccelBias, sensor), Vector3d::Zero(), recording.noise.accel_bias_sigma,
-          sensor);
-    prior(add(UnknownKind::kAccelScale, sensor), Vector3d::Zero(), options_.accel_scale_sigma,
-          sensor);
-    const int position = add(UnknownKind::kSensorPosition, sensor);
-    if (size_.sensors == 1)
-      prior(position, Vector3d::Zero(), kGaugeSigma, sensor);
-    else
-      prior(position, recording.mounting->p_BS_B, recording.mounting->p_sigma, sensor);
-    if (sensor + 1 < size_.sensors && sensor >= FirstOfArm()) {
-      const SegmentGeometry& geometry = observations_.arm.segments.at(recording.segment);
-      Add(SegmentLength(geometry.p_distal_B, geometry.sigma), ResidualKind::kSegmentLength,
-          {add(UnknownKind::kJointVector, sensor)}, sensor, 0, 0);
-    }
-  }
-  if (size_.sensors > 1 && size_.roots == 1) add(UnknownKind::kShoulderMean, -1);
-  if (SensorOn(Segment::kForearm) > 0 && SensorOn(Segment::kUpperArm) >= 0 &&
-      observations_.arm.elbow.adduction_constraint) {
-    const ElbowModel& elbow = observations_.arm.elbow;
-    Add(Prior<2>({elbow.carrying_angle, 0.0},
-                 {elbow.carrying_angle_sigma, elbow.carrying_slope_sigma}),
-        ResidualKind::kPrior, {add(UnknownKind::kCarryingAngle, -1)}, -1, 0, 0);
-  }
-}
-
-void ArmProblem::AddGyroscope(int knot, int sensor) {
-  const Preintegrated& interval = Interval(knot, sensor);
-  const Recording& recording = observations_.recordings[U(sensor)];
-  const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
-  const int node = timeline_.NodeBefore(middle);
-  const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
-                          2 * options_.unmodelled_correlation_s * Square(options_.gyro_scale) *
-                              interval.rate_squared +
-                          interval.gyro_gap_variance;
-  const Eigen::Quaterniond q_BS =
-      recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
-  Add(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance)),
-      ResidualKind::kGyroscope,
-      {Attitude(knot, sensor), Attitude(knot + 1, sensor), GyroBias(node, sensor),
-       GyroBias(node + 1, sensor)},
-      sensor, knot, knot + 1);
-}
-
-double ArmProblem::UnmodelledDensity(int knot, int sensor, double sigma) const {
-  const Preintegrated& interval = Interval(knot, sensor);
-  return 2 * options_.unmodelled_correlation_s * Square(sigma) +
-         interval.accel_gap_variance / interval.duration;
-}
-
-std::unique_ptr<TangentCost> ArmProblem::MakeAccelerometer(int knot, int sensor) const {
-  const Preintegrated& interval = Interval(knot, sensor);
-  const Recording& recording = observations_.recordings[U(sensor)];
-  const double density = 0.5 * Square(recording.noise.accel_density) +
-                         UnmodelledDensity(knot, sensor, unmodelled_[U(sensor)]);
-  const Whitening2 whitening = Whitening2::FromCovariance(
-      WhiteAccelerationCovariance(density, interval.duration));
-  const Eigen::Quaterniond q_BS =
-      recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
-  const double alpha = timeline_.NodeFraction(
-      0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]));
-  TangentCost* cost = nullptr;
-  switch (Chain(sensor).size()) {
-    case 1: cost = MakeCost(Accelerometer<1>(interval, q_BS, alpha, whitening)); break;
-    case 2: cost = MakeCost(Accelerometer<2>(interval, q_BS, alpha, whitening)); break;
-    case 3: cost = MakeCost(Accelerometer<3>(interval, q_BS, alpha, whitening)); break;
-    default: cost = MakeCost(Accelerometer<4>(interval, q_BS, alpha, whitening)); break;
-  }
-  return std::unique_ptr<TangentCost>(cost);
-}
-
-void ArmProblem::AddAccelerometer(int knot, int sensor) {
-  const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
-  const int node = timeline_.NodeBefore(middle), root = RootOf(sensor);
-  const std::vector<int> chain = Chain(sensor);
-  std::vector<int> unknowns;
-  for (const int at : {knot, knot + 1})
-    for (const int link : chain) unknowns.push_back(Attitude(at, link));
-  unknowns.insert(unknowns.end(),
-                  {Root(knot, root), Root(knot + 1, root), Velocity(knot, sensor),
-                   Velocity(knot + 1, sensor), GyroBias(node, sensor), GyroBias(node + 1, sensor),
-                   Constant(UnknownKind::kAccelBias, sensor),
-                   Constant(UnknownKind::kAccelScale, sensor),
-                   Constant(UnknownKind::kSensorPosition, sensor)});
-  for (const int link : chain)
-    if (link != sensor) unknowns.push_back(Constant(UnknownKind::kJointVector, link));
-  terms_.push_back({MakeAccelerometer(knot, sensor), std::move(unknowns),
-                    ResidualKind::kAccelerometer, sensor, knot, knot + 1});
-}
-
-void ArmProblem::AddElbow() {
-  const int upper = SensorOn(Segment::kUpperArm), fore = SensorOn(Segment::kForearm);
-  const int carrying = Constant(UnknownKind::kCarryingAngle, -1);
-  if (carrying < 0) return;
-  const Side side = observations_.arm.side;
-  const double sigma = options_.elbow_adduction_sigma_deg * kDegree;
-  const double stop = options_.range_of_motion_sigma_deg * kDegree;
-  const double wobble = std::sqrt(2 * options_.elbow_wobble_correlation_s) *
-                        options_.elbow_wobble_sigma_deg * kDegree;
-  Add(Prior<1>(Eigen::Matrix<double, 1, 1>::Zero(), Eigen::Matrix<double, 1, 1>(sigma)),
-      ResidualKind::kAdductionProcess, {Adduction(0)}, -1, 0, 0);
-  for (int knot = 0; knot < size_.knots; ++knot) {
-    Add(ElbowRangeOfMotion(kFlexionLimits[0], kFlexionLimits[1], stop),
-        ResidualKind::kRangeOfMotion, {Attitude(knot, upper), Attitude(knot, fore)}, -1, knot,
-        knot);
-    const int before = std::max(knot, 1) - 1;
-    const double step = timeline_.knots[U(before) + 1] - timeline_.knots[U(before)];
-    Add(ElbowAdduction(side, wobble / std::sqrt(step)), ResidualKind::kElbowAdduction,
-        {Attitude(knot, upper), Attitude(knot, fore), carrying, Adduction(knot)}, -1, knot, knot);
-    if (knot > 0)
-      Add(AdductionProcess(
-              FirstOrderStep::Over(step, sigma, options_.elbow_adduction_correlation_s)),
-          ResidualKind::kAdductionProcess, {Adduction(before), Adduction(knot)}, -1, before, knot);
-  }
-}
-
-void ArmProblem::AddShoulder() {
-  if (size_.sensors == 1) return;
-  const ShoulderModel& shoulder = observations_.arm.shoulder;
-  const Vector3d p_shoulder_T =
-      has_thorax_ ? observations_.arm.segments.at(Segment::kThorax).p_distal_B : Vector3d::Zero();
-  const int mean = Constant(UnknownKind::kShoulderMean, -1);
-  for (int knot = 0; knot < size_.knots; ++knot) {
-    const auto step = knot == 0
-                          ? FirstOrderStep::Start(shoulder.sigma)
-                          : FirstOrderStep::Over(
-                                timeline_.knots[U(knot)] - timeline_.knots[U(knot) - 1],
-                                shoulder.sigma, shoulder.correlation_time);
-    if (has_thorax_ && knot == 0)
-      Add(ThoraxShoulderStart(p_shoulder_T, shoulder.sigma), ResidualKind::kShoulderProcess,
-          {Attitude(0, 0), Root(0, 0), Root(0, 1)}, -1, 0, 0);
-    else if (has_thorax_)
-      Add(ThoraxShoulder(p_shoulder_T, step), ResidualKind::kShoulderProcess,
-          {Attitude(knot - 1, 0), Root(knot - 1, 0), Root(knot - 1, 1), Attitude(knot, 0),
-           Root(knot, 0), Root(knot, 1)},
-          -1, knot - 1, knot);
-    else if (knot == 0)
-      Add(ShoulderProcessStart(shoulder.sigma), ResidualKind::kShoulderProcess,
-          {Root(0, 0), mean}, -1, 0, 0);
-    else
-      Add(ShoulderProcess(step), ResidualKind::kShoulderProcess,
-          {Root(knot - 1, 0), Root(knot, 0), mean}, -1, knot - 1, knot);
-  }
-}
-
-void ArmProblem::AddRests(int sensor) {
-  const Recording& recording = observations_.recordings[U(sensor)];
-  for (const RestInterval& rest : rests_[U(sensor)]) {
-    const double sigma = options_.zero_velocity_sigma_m_s * rest.slack;
-    const int first = timeline_.KnotBefore(rest.start), last = timeline_.KnotBefore(rest.end);
-    for (int knot = first; knot <= last; ++knot) {
-      if (timeline_.knots[U(knot)] < rest.start) continue;
-      if (knot == 0 || timeline_.knots[U(knot) - 1] < rest.start)
-        Add(ZeroVelocityStart(sigma, rest.probability), ResidualKind::kZeroVelocity,
-            {Velocity(knot, sensor)}, sensor, knot, knot);
-      else
-        Add(ZeroVelocity(FirstOrderStep::Over(
-                             timeline_.knots[U(knot)] - timeline_.knots[U(knot) - 1], sigma,
-                             options_.zero_velocity_correlation_s),
-                         rest.probability),
-            ResidualKind::kZeroVelocity, {Velocity(knot - 1, sensor), Velocity(knot, sensor)},
-            sensor, knot - 1, knot);
-    }
-    if (rest.slack > 1.0) continue;  // a rocking sensor's mean rate is not its bias
-    for (int node = timeline_.NodeBefore(rest.start); node + 1 < size_.nodes; ++node) {
-      const double begin = timeline_.NodeTime(node), end = timeline_.NodeTime(node + 1);
-      if (begin >= rest.end) break;
-      const RestInterval part = PartOfRest(recording, rest, begin, end);
-      if (part.probability <= 0.0 || part.end <= part.start) continue;
-      const double T = part.end - part.start;
-      const double sway = std::max(part.sway, options_.rest_sway_deg * kDegree);
-      const double variance =
-          0.5 * Square(recording.noise.gyro_density) / T + 2 * Square(sway / T);
-      const double middle = 0.5 * (part.start + part.end);
-      const int knot = timeline_.KnotBefore(middle);
-      Add(GyroBiasRest(part.mean_rate, timeline_.NodeFraction(middle), std::sqrt(variance),
-                       part.probability),
-          ResidualKind::kGyroBiasRest, {GyroBias(node, sensor), GyroBias(node + 1, sensor)},
-          sensor, knot, knot);
-    }
-  }
-}
-
-void ArmProblem::AddBiasWalk(int sensor) {
-  const ImuNoise& noise = observations_.recordings[U(sensor)].noise;
-  Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(noise.gyro_bias_sigma)), ResidualKind::kPrior,
-      {GyroBias(0, sensor)}, sensor, 0, 0);
-  for (int node = 0; node + 1 < size_.nodes; ++node)
-    Add(GyroBiasWalk(noise.gyro_bias_walk, timeline_.NodeTime(node + 1) - timeline_.NodeTime(node)),
-        ResidualKind::kGyroBiasWalk, {GyroBias(node, sensor), GyroBias(node + 1, sensor)}, sensor,
-        timeline_.nodes[U(node)], timeline_.nodes[U(node)]);
-}
-
-void ArmProblem::AddStart() {
-  Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kGaugeSigma)), ResidualKind::kGauge,
-      {Root(0, 0)}, -1, 0, 0);
-  for (int sensor = 0; sensor < size_.sensors; ++sensor)
-    Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma)), ResidualKind::kPrior,
-        {Velocity(0, sensor)}, sensor, 0, 0);
-  const int upper = SensorOn(Segment::kUpperArm), fore = SensorOn(Segment::kForearm);
-  if (!observations_.start_pose || upper < 0) return;
-  const StartPose& pose = *observations_.start_pose;
-  const int knot = timeline_.KnotBefore(pose.time);
-  const Side side = observations_.arm.side;
-  if (pose.shoulder_elevation)
-    Add(ElevationStartPose(*pose.shoulder_elevation, pose.sigma), ResidualKind::kStartPose,
-        {Attitude(knot, upper)}, -1, knot, knot);
-  if (fore < 0) return;
-  const auto add = [&](ElbowAngle angle, double told) {
-    Add(ElbowStartPose(angle, side, told, pose.sigma), ResidualKind::kStartPose,
-        {Attitude(knot, upper), Attitude(knot, fore)}, -1, knot, knot);
-  };
-  if (pose.elbow_flexion) add(ElbowAngle::kFlexion, *pose.elbow_flexion);
-  if (pose.forearm_pronation) add(ElbowAngle::kPronation, *pose.forearm_pronation);
 }
 
 State ArmProblem::PriorState() const {
@@ -407,22 +165,6 @@ State ArmProblem::PriorState() const {
   }
   state.Constant(UnknownKind::kCarryingAngle, -1)[0] = observations_.arm.elbow.carrying_angle;
   return state;
-}
-
-void ArmProblem::SetUnmodelledAcceleration(const std::vector<double>& sigma) {
-  unmodelled_ = sigma;
-  for (Term& term : terms_)
-    if (term.kind == ResidualKind::kAccelerometer)
-      term.cost = MakeAccelerometer(term.first_knot, term.sensor);
-}
-
-void ArmProblem::FixHeading(const Eigen::Quaterniond& q_WB) {
-  std::erase_if(terms_, [](const Term& term) {
-    return term.kind == ResidualKind::kGauge && term.cost->num_residuals() == 1;
-  });
-  terms_.insert(terms_.begin(),
-                Term{std::unique_ptr<TangentCost>(MakeCost(HeadingGauge(q_WB))), {Attitude(0, 0)},
-                     ResidualKind::kGauge, -1, 0, 0});
 }
 
 }  // namespace brachium

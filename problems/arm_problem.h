@@ -1,7 +1,7 @@
 // The objective: which residuals stand between which unknowns of a trial.
 //
-// Terms are in order of the first knot that they touch, so that a method can take them in time order:
-// everything before a knot, a window, or all of it.
+// Terms are in order of the first knot that they touch, so that a method can take them in time
+// order: everything before a knot, a window, or all of it.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "problems/model_options.h"
 #include "problems/observations.h"
 #include "problems/preintegration.h"
 #include "problems/residuals/cost.h"
@@ -17,56 +18,6 @@
 #include "problems/timeline.h"
 
 namespace brachium {
-
-// How far the relations hold. Physical sigmas, independent of sampling rate and knot spacing.
-struct ModelOptions {
-  double elbow_adduction_sigma_deg = 5.0;
-  double elbow_adduction_correlation_s = 10.0;
-  double elbow_wobble_sigma_deg = 3.0;
-  double elbow_wobble_correlation_s = 0.2;
-  double zero_velocity_sigma_m_s = 0.005;
-  double zero_velocity_correlation_s = 0.5;
-  double range_of_motion_sigma_deg = 5.0;
-  double rest_sway_deg = 0.05;
-  double gyro_scale = 0.0005;
-  double accel_scale_sigma = 0.01;
-  double unmodelled_acceleration = 0.1;
-  double unmodelled_correlation_s = 0.1;
-  double bias_node_spacing_s = 5.0;
-
-  template <typename Options, typename Visitor>
-  static void Visit(Options& options, Visitor&& visit) {
-    visit("elbow_adduction_sigma_deg", options.elbow_adduction_sigma_deg,
-          "Deviation of the elbow from its carrying angle [deg]: joint play and soft tissue. Less "
-          "ties the relative heading down harder, and to a wrong value where the elbow deviates.");
-    visit("elbow_adduction_correlation_s", options.elbow_adduction_correlation_s,
-          "How long such a deviation lasts [s]. More trusts each second of the constraint less.");
-    visit("elbow_wobble_sigma_deg", options.elbow_wobble_sigma_deg,
-          "Fast deviation beside it [deg]: soft tissue wobbling under the sensors.");
-    visit("elbow_wobble_correlation_s", options.elbow_wobble_correlation_s,
-          "How long a wobble lasts [s].");
-    visit("zero_velocity_sigma_m_s", options.zero_velocity_sigma_m_s,
-          "Velocity left in a rest [m/s].");
-    visit("zero_velocity_correlation_s", options.zero_velocity_correlation_s,
-          "How long a residual velocity lasts in a rest [s].");
-    visit("range_of_motion_sigma_deg", options.range_of_motion_sigma_deg,
-          "How softly the elbow's stops give way [deg].");
-    visit("rest_sway_deg", options.rest_sway_deg,
-          "Least rms turn of a segment to and fro in a rest [deg].");
-    visit("gyro_scale", options.gyro_scale, "Relative scale error left in the gyroscopes [1].");
-    visit("accel_scale_sigma", options.accel_scale_sigma,
-          "Relative scale error of each accelerometer axis, estimated [1].");
-    visit("unmodelled_acceleration", options.unmodelled_acceleration,
-          "First guess of the acceleration that the model leaves out [m/s^2]; each sensor's own is "
-          "then estimated from its residuals.");
-    visit("unmodelled_correlation_s", options.unmodelled_correlation_s,
-          "How long an acceleration that the model leaves out lasts [s].");
-    visit("bias_node_spacing_s", options.bias_node_spacing_s,
-          "Time between the nodes of the gyro biases [s], linear between them.");
-  }
-
-  bool IsValid(std::string* why) const;
-};
 
 enum class ResidualKind {
   kGyroscope,
@@ -98,16 +49,15 @@ struct Term {
   std::unique_ptr<TangentCost> cost;
   std::vector<int> unknowns;  // indices, in the order of the cost's blocks
   ResidualKind kind = ResidualKind::kPrior;
-  int sensor = -1;      // whose samples, or -1
-  int first_knot = 0;   // at whose elimination the term is used up
-  int last_knot = 0;    // at which the term enters
+  int sensor = -1;     // whose samples, or -1
+  int first_knot = 0;  // at whose elimination the term is used up
+  int last_knot = 0;   // at which the term enters
 };
 
 class ArmProblem {
  public:
   // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
-  ArmProblem(const Observations& observations, const ModelOptions& options,
-             double knot_spacing);
+  ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing);
 
   const Timeline& timeline() const { return timeline_; }
   const StateSize& size() const { return size_; }
@@ -148,7 +98,8 @@ class ArmProblem {
   // A state with every constant at its prior mean, biases from the rests, knots not yet set.
   State PriorState() const;
 
-  // The unmodelled acceleration of each sensor [m/s²]; setting it renews the accelerometers' weights.
+  // The unmodelled acceleration of each sensor [m/s²]; setting it renews the accelerometers'
+  // weights.
   const std::vector<double>& unmodelled_acceleration() const { return unmodelled_; }
   void SetUnmodelledAcceleration(const std::vector<double>& sigma);
 

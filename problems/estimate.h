@@ -12,15 +12,15 @@
 namespace brachium {
 
 struct ResidualStatistics {
-  std::string kind;          // "gyroscope/forearm", "elbow_adduction", ...
-  std::size_t count = 0;     // scalar residuals
-  double rms = 0.0;          // of the whitened residual: 1 when its model holds
+  std::string kind;       // "gyroscope/forearm", "elbow_adduction", ...
+  std::size_t count = 0;  // scalar residuals
+  double rms = 0.0;       // of the whitened residual: 1 when its model holds
 };
 
 struct Constant {
-  std::string name;             // "elbow.carrying_angle_deg", "forearm.accelerometer_bias", ...
-  std::vector<double> value;    // one number or three, in the unit that the name says (SI without)
-  std::vector<double> sd;       // the same shape, or empty
+  std::string name;           // "elbow.carrying_angle_deg", "forearm.accelerometer_bias", ...
+  std::vector<double> value;  // one number or three, in the unit that the name says (SI without)
+  std::vector<double> sd;     // the same shape, or empty
 };
 
 struct Rest {
@@ -38,8 +38,8 @@ struct Figure {
 
 struct Diagnostics {
   bool converged = true;
-  bool singular = false;     // the information matrix, priors included
-  std::string termination;   // one sentence
+  bool singular = false;    // the information matrix, priors included
+  std::string termination;  // one sentence
   int iterations = 0;
   double initial_cost = 0.0;
   double final_cost = 0.0;
@@ -48,8 +48,9 @@ struct Diagnostics {
   std::vector<Constant> constants;
   std::vector<Rest> rests;
   std::vector<Figure> figures;
-  std::vector<std::string> held_by_prior;  // unknowns that the data did not inform, one sentence each
-  std::vector<std::string> notes;          // what the reader should know
+  std::vector<std::string>
+      held_by_prior;               // unknowns that the data did not inform, one sentence each
+  std::vector<std::string> notes;  // what the reader should know
 };
 
 struct StageTime {
@@ -62,7 +63,7 @@ struct StageTime {
 struct Estimate {
   std::string method;
   Side side = Side::kRight;
-  std::vector<double> time;                                 // [s]
+  std::vector<double> time;  // [s]
   std::map<Segment, std::vector<Eigen::Quaterniond>> q_WB;
   std::map<std::string, std::vector<Eigen::Vector3d>> p_W;  // by name as in Reference [m]
   Diagnostics diagnostics;

@@ -1,4 +1,5 @@
-// All that an estimator may see. The reference is not part of it, so it cannot leak into an estimate.
+// All that an estimator may see. The reference is not part of it, so it cannot leak into an
+// estimate.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@
 namespace brachium {
 
 struct Interval {
-  std::string label;  // "rest", "calibration:...", "task:NAME", "cycle:NAME"
+  std::string label;   // "rest", "calibration:...", "task:NAME", "cycle:NAME"
   double start = 0.0;  // [s]
   double end = 0.0;    // [s]
 };

@@ -85,8 +85,8 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     const Eigen::Quaterniond dq_half = Exp<double>(half_turn), dq_full = Exp<double>(turn);
     const Eigen::Matrix3d R_m = (sum.dq * dq_half).toRotationMatrix();
 
-    const Eigen::Matrix3d half_dbg = dq_half.conjugate().toRotationMatrix() * sum.dR_dbg -
-                                     RightJacobian(half_turn) * (h / 2);
+    const Eigen::Matrix3d half_dbg =
+        dq_half.conjugate().toRotationMatrix() * sum.dR_dbg - RightJacobian(half_turn) * (h / 2);
     const Eigen::Matrix3d a_dbg = -R_m * Skew<double>(f) * half_dbg;
     const Eigen::Matrix3d a_dsa = -R_m * f.asDiagonal();
     sum.dp_dbg += sum.dv_dbg * h + a_dbg * (h * h / 2);

@@ -3,8 +3,9 @@
 // Over an interval of length D that starts at attitude R, velocity v and position p of the sensor,
 //   R_end = R dR,   v_end = v + g D + R dv,   p_end = p + v D + g D²/2 + R dp.
 // Each sample is the mean over its cell; a cell is clipped to the interval. Within a cell the rate
-// and the specific force are straight lines (mean and slope from the neighbours), which keeps coning
-// and sculling to third order in the cell length h. With w, w', f, f' at the cell's centre and
+// and the specific force are straight lines (mean and slope from the neighbours), which keeps
+// coning and sculling to third order in the cell length h. With w, w', f, f' at the cell's centre
+// and
 //   R_m = dR Exp(w h/2 - w' h²/8)                        the attitude at the middle of the cell,
 //   f_m = f + h²/12 (w×f' + w'×f/2 + w×(w×f)/2),
 //   dp += dv h + R_m (f_m h²/2 - (w×f + f') h³/12),   dv += R_m f_m h,
@@ -22,11 +23,11 @@
 namespace brachium {
 
 struct Preintegrated {
-  double duration = 0.0;                                       // D [s]
-  Eigen::Quaterniond dq = Eigen::Quaterniond::Identity();      // dR
-  Eigen::Vector3d dv = Eigen::Vector3d::Zero();                // [m/s]
-  Eigen::Vector3d dp = Eigen::Vector3d::Zero();                // [m]
-  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();         // taken off while summing [rad/s]
+  double duration = 0.0;                                   // D [s]
+  Eigen::Quaterniond dq = Eigen::Quaterniond::Identity();  // dR
+  Eigen::Vector3d dv = Eigen::Vector3d::Zero();            // [m/s]
+  Eigen::Vector3d dp = Eigen::Vector3d::Zero();            // [m]
+  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();     // taken off while summing [rad/s]
 
   // First-order changes with the gyro bias, the accelerometer bias and the accelerometer scale:
   // dR -> dR Exp(dR_dbg δ), dv -> dv + dv_dbg δ, and so on; f = acc - b_a - s_a∘acc.
@@ -36,8 +37,8 @@ struct Preintegrated {
   Eigen::Matrix3d dv_dsa = Eigen::Matrix3d::Zero(), dp_dsa = Eigen::Matrix3d::Zero();
 
   // What the weights are made of: integrals over the interval.
-  double rate_squared = 0.0;        // of |w|² [rad²/s]
-  double force_spread = 0.0;        // of (|w'| + |w|²)² [1/s³]: times a lever arm squared, (m/s²)² s
+  double rate_squared = 0.0;  // of |w|² [rad²/s]
+  double force_spread = 0.0;  // of (|w'| + |w|²)² [1/s³]: times a lever arm squared, (m/s²)² s
   double gyro_gap_variance = 0.0;   // [rad²] that missing samples add to dR, per axis
   double accel_gap_variance = 0.0;  // [m²/s²] that missing samples add to dv, per axis
 };
@@ -63,9 +64,9 @@ class Preintegrator {
   Cell Clip(std::size_t cell, double start, double end) const;
 
   double period_;
-  std::vector<double> edges_;              // cell i lies between edges i and i+1
+  std::vector<double> edges_;  // cell i lies between edges i and i+1
   std::vector<double> centres_;
-  std::vector<bool> is_gap_;               // no sample here: the mean of the neighbours stands in
+  std::vector<bool> is_gap_;  // no sample here: the mean of the neighbours stands in
   std::vector<Eigen::Vector3d> gyr_, acc_, gyr_slope_, acc_slope_;
 };
 

@@ -17,8 +17,7 @@ Eigen::Matrix3d InverseRightJacobian(const Eigen::Vector3d& phi) {
   const Eigen::Matrix3d S = Skew<double>(phi);
   if (a2 < 1e-8) return Eigen::Matrix3d::Identity() + 0.5 * S + (1.0 / 12 + a2 / 720) * S * S;
   const double a = std::sqrt(a2);
-  return Eigen::Matrix3d::Identity() + 0.5 * S +
-         (1 - 0.5 * a / std::tan(0.5 * a)) / a2 * S * S;
+  return Eigen::Matrix3d::Identity() + 0.5 * S + (1 - 0.5 * a / std::tan(0.5 * a)) / a2 * S * S;
 }
 
 }  // namespace brachium

@@ -4,11 +4,16 @@ namespace brachium {
 
 std::string_view Name(Segment segment) {
   switch (segment) {
-    case Segment::kThorax: return "thorax";
-    case Segment::kGirdle: return "girdle";
-    case Segment::kUpperArm: return "upper_arm";
-    case Segment::kForearm: return "forearm";
-    case Segment::kHand: return "hand";
+    case Segment::kThorax:
+      return "thorax";
+    case Segment::kGirdle:
+      return "girdle";
+    case Segment::kUpperArm:
+      return "upper_arm";
+    case Segment::kForearm:
+      return "forearm";
+    case Segment::kHand:
+      return "hand";
   }
   return "";
 }
@@ -24,10 +29,14 @@ std::optional<Segment> SegmentFromName(std::string_view name) {
 std::string_view DistalJointName(Segment segment) {
   switch (segment) {
     case Segment::kThorax:
-    case Segment::kGirdle: return "shoulder";
-    case Segment::kUpperArm: return "elbow";
-    case Segment::kForearm: return "wrist";
-    case Segment::kHand: return "hand";
+    case Segment::kGirdle:
+      return "shoulder";
+    case Segment::kUpperArm:
+      return "elbow";
+    case Segment::kForearm:
+      return "wrist";
+    case Segment::kHand:
+      return "hand";
   }
   return "";
 }

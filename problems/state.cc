@@ -19,8 +19,7 @@ State::State(const StateSize& size) : size_(size) {
 }
 
 double* State::Constant(UnknownKind kind, int sensor) {
-  const std::size_t end_of_sensors =
-      constants_begin_ + 3 * kConstantsPerSensor * U(size_.sensors);
+  const std::size_t end_of_sensors = constants_begin_ + 3 * kConstantsPerSensor * U(size_.sensors);
   if (kind == UnknownKind::kShoulderMean) return &x_[end_of_sensors];
   if (kind == UnknownKind::kCarryingAngle) return &x_[end_of_sensors + 3];
   const int place = static_cast<int>(kind) - static_cast<int>(UnknownKind::kAccelBias);

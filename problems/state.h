@@ -10,17 +10,17 @@ namespace brachium {
 // What an unknown is; its block holds 4 numbers for an attitude, 2 for the carrying angle, 1 for a
 // deviation, else 3.
 enum class UnknownKind {
-  kAttitude,         // q_WB [x y z w]
-  kRoot,             // root joint of the arm, or of the thorax, in W [m]
-  kVelocity,         // of a sensor in W [m/s]
-  kAdduction,        // slow deviation of the elbow from its carrying angle [rad]
-  kGyroBias,         // at a node, sensor axes [rad/s]
-  kAccelBias,        // sensor axes [m/s²]
-  kAccelScale,       // per sensor axis [1]
-  kSensorPosition,   // p_BS, segment axes [m]
-  kJointVector,      // proximal to distal joint, segment axes [m]
-  kShoulderMean,     // mean of the root joint, W [m]
-  kCarryingAngle,    // k0, k1 [rad]
+  kAttitude,        // q_WB [x y z w]
+  kRoot,            // root joint of the arm, or of the thorax, in W [m]
+  kVelocity,        // of a sensor in W [m/s]
+  kAdduction,       // slow deviation of the elbow from its carrying angle [rad]
+  kGyroBias,        // at a node, sensor axes [rad/s]
+  kAccelBias,       // sensor axes [m/s²]
+  kAccelScale,      // per sensor axis [1]
+  kSensorPosition,  // p_BS, segment axes [m]
+  kJointVector,     // proximal to distal joint, segment axes [m]
+  kShoulderMean,    // mean of the root joint, W [m]
+  kCarryingAngle,   // k0, k1 [rad]
 };
 
 // Sizes: sensors (one a segment, proximal to distal), roots (free translations), knots, bias nodes.

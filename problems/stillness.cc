@@ -47,7 +47,8 @@ Tolerances TolerancesOf(const Recording& recording, const RunningMoments& rate,
                         const RunningMoments& force, const StillnessOptions& options) {
   const double bandwidth = 0.5 / SamplingPeriod(recording);
   const ImuNoise& noise = recording.noise;
-  const double still_rate = Square(options.rate_deg_s * kDegree), still_force = Square(options.force);
+  const double still_rate = Square(options.rate_deg_s * kDegree),
+               still_force = Square(options.force);
   const std::size_t n = recording.size();
   const double share = Square(options.share_of_motion);
   const double rate_squared = std::max(still_rate, share * rate.Spread(0, n, rate.Mean(0, n)));
@@ -120,14 +121,14 @@ RestInterval Judge(const Recording& recording, std::size_t begin, std::size_t en
 
 }  // namespace
 
-std::vector<RestInterval> DetectRests(const Recording& recording,
-                                      const StillnessOptions& options) {
+std::vector<RestInterval> DetectRests(const Recording& recording, const StillnessOptions& options) {
   const std::size_t n = recording.size();
   const double period = SamplingPeriod(recording);
   const RunningMoments rate(recording.gyr_S), force(recording.acc_S);
   const Tolerances tolerances = TolerancesOf(recording, rate, force, options);
   const Vector3d bias = QuietestBias(recording, rate, force, tolerances);
-  const auto half = std::max<std::size_t>(2, static_cast<std::size_t>(options.window_s / period / 2));
+  const auto half =
+      std::max<std::size_t>(2, static_cast<std::size_t>(options.window_s / period / 2));
 
   // A sample is as still as the stillest window that holds it.
   std::vector<double> statistic(n, 1e9);

@@ -19,11 +19,11 @@ struct StillnessOptions {
 };
 
 struct RestInterval {
-  double start = 0.0, end = 0.0;                          // [s]
-  double probability = 1.0;                               // that it is a rest
+  double start = 0.0, end = 0.0;  // [s]
+  double probability = 1.0;       // that it is a rest
   double slack = 1.0;  // how many times the tolerance of a person who keeps still it needed, >= 1
-  Eigen::Vector3d mean_rate = Eigen::Vector3d::Zero();    // sensor axes [rad/s]
-  Eigen::Vector3d mean_force = Eigen::Vector3d::Zero();   // sensor axes [m/s²]
+  Eigen::Vector3d mean_rate = Eigen::Vector3d::Zero();   // sensor axes [rad/s]
+  Eigen::Vector3d mean_force = Eigen::Vector3d::Zero();  // sensor axes [m/s²]
   double sway = 0.0;  // rms of the detrended integrated rate, per axis [rad]
 };
 

@@ -12,8 +12,9 @@
 namespace brachium {
 
 // An independent truth, optical or simulated, in its own world V (z up, heading free). A quaternion
-// or a coordinate that is NaN is a gap. Positions are by name: "shoulder", "elbow", "wrist", "hand",
-// or a segment's name for the position of its only sensor; a reference without height has NaN in z.
+// or a coordinate that is NaN is a gap. Positions are by name: "shoulder", "elbow", "wrist",
+// "hand", or a segment's name for the position of its only sensor; a reference without height has
+// NaN in z.
 struct Reference {
   enum class Frames {
     kSegment,  // the frames are the segments' own

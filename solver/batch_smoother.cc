@@ -91,9 +91,9 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   stage("preintegration");
 
   State state = problem.PriorState();
-  const WindowReport windows = SolveForward(
-      problem, state,
-      {options_.window_s, options_.window_advance_s, options_.whole_trial}, progress);
+  const WindowReport windows =
+      SolveForward(problem, state,
+                   {options_.window_s, options_.window_advance_s, options_.whole_trial}, progress);
   stage("windows");
 
   // The weights first, with lever arms and scales as told: free ones would absorb what the model

@@ -16,8 +16,8 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 // first guess: a short or poorly linked trial keeps it.
 constexpr double kPriorResiduals = 30.0;
 
-// Weighted residuals of one sensor's accelerometer: their squares, their redundancy, and the mean
-// density that they were weighted with.
+// Weighted residuals of one sensor's accelerometer: their squares, their redundancy, how many
+// intervals they stand for and how long those are together [s].
 struct Spread {
   double squares = 0.0, redundancy = 0.0, duration = 0.0, count = 0.0;
 };
@@ -47,9 +47,9 @@ void AddTerm(const ArmProblem& problem, State& state, const Term& term, const Bl
   MatrixXd J(rows, columns), S(columns, columns);
   int at = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    J.middleCols(at, sizes[i]) = Eigen::Map<
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(jacobians[i], rows,
-                                                                                sizes[i]);
+    J.middleCols(at, sizes[i]) =
+        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            jacobians[i], rows, sizes[i]);
     int to = 0;
     for (std::size_t j = 0; j < sizes.size(); ++j) {
       S.block(at, to, sizes[i], sizes[j]) =
@@ -95,13 +95,16 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state) {
   const auto& options = problem.options();
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
     const Spread& spread = spreads[U(sensor)];
-    const double white = 0.5 * std::pow(
-        problem.observations().recordings[U(sensor)].noise.accel_density, 2);
+    const double white =
+        0.5 * std::pow(problem.observations().recordings[U(sensor)].noise.accel_density, 2);
     const double used = problem.unmodelled_acceleration()[U(sensor)];
     const double density = white + 2 * options.unmodelled_correlation_s * used * used;
     const double ratio = (spread.squares + kPriorResiduals) / (spread.redundancy + kPriorResiduals);
-    const double variance = (ratio * density - white) /
-        (getenv("OLD") ? (2 * options.unmodelled_correlation_s) : std::min(2 * options.unmodelled_correlation_s, spread.duration / spread.count));
+    // What is left out lasts longer than an interval, so its size is what an interval shows; its
+    // weight at lower frequencies then follows from how long it lasts.
+    const double memory = std::min(2 * options.unmodelled_correlation_s,
+                                   spread.duration / std::max(spread.count, 1.0));
+    const double variance = (ratio * density - white) / memory;
     certainty.unmodelled_acceleration.push_back(std::sqrt(std::max(variance, 1e-6)));
   }
   return certainty;

@@ -1,5 +1,5 @@
-// What the information matrix of a solved trial says: how certain each unknown is, and how large the
-// accelerations are that the model leaves out.
+// What the information matrix of a solved trial says: how certain each unknown is, and how large
+// the accelerations are that the model leaves out.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,10 @@
 namespace brachium {
 
 struct Certainty {
-  std::map<int, Eigen::VectorXd> constant_sd;  // by unknown: constants and gyro biases, their unit
-  std::vector<double> root_sd;                 // of each knot's arm root, largest axis [m]
-  std::vector<double> unmodelled_acceleration; // of each sensor [m/s²]
-  std::vector<int> singular;                   // unknowns that the information does not determine
+  std::map<int, Eigen::VectorXd> constant_sd;   // by unknown: constants and gyro biases, their unit
+  std::vector<double> root_sd;                  // of each knot's arm root, largest axis [m]
+  std::vector<double> unmodelled_acceleration;  // of each sensor [m/s²]
+  std::vector<int> singular;                    // unknowns that the information does not determine
 };
 
 // Linearises the trial at `state`. Cost and memory are linear in its length.

@@ -26,8 +26,8 @@ struct ConstantEntry {
 std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& unknown) {
   const Observations& observations = problem.observations();
   const auto named = [&](const char* name, double sigma) {
-    return ConstantEntry{SegmentName(problem, unknown.sensor) + "." + name, 1.0,
-                         {sigma, sigma, sigma}};
+    return ConstantEntry{
+        SegmentName(problem, unknown.sensor) + "." + name, 1.0, {sigma, sigma, sigma}};
   };
   switch (unknown.kind) {
     case UnknownKind::kAccelBias:
@@ -39,15 +39,15 @@ std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& 
       if (problem.size().sensors == 1) return std::nullopt;
       return named("p_BS_m", observations.recordings[U(unknown.sensor)].mounting->p_sigma);
     case UnknownKind::kJointVector:
-      return named("distal_joint_m",
-                   observations.arm.segments
-                       .at(observations.recordings[U(unknown.sensor)].segment)
-                       .sigma);
+      return named(
+          "distal_joint_m",
+          observations.arm.segments.at(observations.recordings[U(unknown.sensor)].segment).sigma);
     case UnknownKind::kShoulderMean: {
       const double sigma = observations.arm.shoulder.sigma;
       return ConstantEntry{"shoulder.mean_m", 1.0, {sigma, sigma, sigma}};
     }
-    default: return std::nullopt;
+    default:
+      return std::nullopt;
   }
 }
 

@@ -95,9 +95,8 @@ Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedP
   last_touch.resize(U(problem.unknowns()));
   offset_of.resize(U(problem.unknowns()));
   const auto touch = [&](int unknown, int knot) {
-    last_touch[U(unknown)] = IsTouchedFrom(problem, end_knot, unknown)
-                                 ? std::numeric_limits<int>::max()
-                                 : knot;
+    last_touch[U(unknown)] =
+        IsTouchedFrom(problem, end_knot, unknown) ? std::numeric_limits<int>::max() : knot;
   };
   for (const int unknown : prior.unknowns) touch(unknown, start_knot);
   for (auto term = begin; term != end; ++term)
@@ -117,9 +116,8 @@ Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedP
       touched.insert(touched.end(), next->unknowns.begin(), next->unknowns.end());
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    std::stable_partition(touched.begin(), touched.end(), [&](int unknown) {
-      return last_touch[U(unknown)] <= front.knot;
-    });
+    std::stable_partition(touched.begin(), touched.end(),
+                          [&](int unknown) { return last_touch[U(unknown)] <= front.knot; });
     for (const int unknown : touched) {
       offset_of[U(unknown)] = front.index.dimension;
       front.index.offset.push_back(front.index.dimension);
@@ -141,8 +139,8 @@ Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedP
         int from_j = 0;
         for (const int j : carried) {
           const int size_j = problem.Describe(j).Tangent(), at_j = offset_of[U(j)];
-          if (at_j <= at_i) H.block(at_i, at_j, size_i, size_j) +=
-              H_carried.block(from_i, from_j, size_i, size_j);
+          if (at_j <= at_i)
+            H.block(at_i, at_j, size_i, size_j) += H_carried.block(from_i, from_j, size_i, size_j);
           from_j += size_j;
         }
         from_i += size_i;
@@ -198,8 +196,8 @@ CarriedPrior Elimination::Carry(const ArmProblem& problem, State& state) const {
   // Scaled to a unit diagonal first, since the unknowns' units differ by many orders of magnitude.
   const VectorXd scale = H_.diagonal().cwiseMax(1e-30).cwiseSqrt();
   const MatrixXd symmetric = 0.5 * (H_ + H_.transpose());
-  const MatrixXd scaled = scale.cwiseInverse().asDiagonal() * symmetric *
-                          scale.cwiseInverse().asDiagonal();
+  const MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
   const VectorXd lambda = eigen.eigenvalues().cwiseMax(0.0);
   const double least = 1e-14 * lambda.maxCoeff();
@@ -222,7 +220,7 @@ CarriedPrior Elimination::Carry(const ArmProblem& problem, State& state) const {
 }
 
 void Elimination::VisitCovariances(const Visitor& visit) const {
-  MatrixXd next;            // covariance of the front after this one
+  MatrixXd next;  // covariance of the front after this one
   const BlockIndex* next_index = nullptr;
   for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
     const int n = front->index.dimension, e = front->eliminated, s = n - e;

@@ -1,5 +1,5 @@
-// Block elimination along the time axis: the Gaussian information of a run of terms, taken apart knot
-// by knot. Serves the marginal prior of a window and, run to the end of a trial and back, the
+// Block elimination along the time axis: the Gaussian information of a run of terms, taken apart
+// knot by knot. Serves the marginal prior of a window and, run to the end of a trial and back, the
 // covariance of every unknown, at a cost linear in the length.
 //
 // Terms come in order of their first knot. At each knot the unknowns that no later term touches are
@@ -44,9 +44,9 @@ class Elimination {
     std::vector<int> last_touch, offset_of;
   };
 
-  // Linearises and eliminates `prior` and all terms whose first knot lies in [start_knot, end_knot),
-  // at the values in `state`. Unknowns that terms from `end_knot` on touch are kept; none is where
-  // end_knot is past the last knot. `keep_fronts` stores what the way back needs.
+  // Linearises and eliminates `prior` and all terms whose first knot lies in [start_knot,
+  // end_knot), at the values in `state`. Unknowns that terms from `end_knot` on touch are kept;
+  // none is where end_knot is past the last knot. `keep_fronts` stores what the way back needs.
   Elimination(const ArmProblem& problem, State& state, const CarriedPrior& prior, int start_knot,
               int end_knot, bool keep_fronts, Workspace& workspace);
 
@@ -65,8 +65,8 @@ class Elimination {
  private:
   struct Front {
     int knot;
-    BlockIndex index;       // eliminated unknowns first
-    int eliminated = 0;     // their dimension
+    BlockIndex index;    // eliminated unknowns first
+    int eliminated = 0;  // their dimension
     Eigen::MatrixXd H_EE_inverse, A;
   };
   static bool IsTouchedFrom(const ArmProblem& problem, int end_knot, int unknown);

@@ -17,7 +17,8 @@ class Estimator {
  public:
   virtual ~Estimator() = default;
 
-  // Whether the method can use these observations; if not, `why` says what is missing and how to get it.
+  // Whether the method can use these observations; if not, `why` says what is missing and how to
+  // get it.
   virtual bool Accepts(const Observations& observations, std::string* why) const = 0;
 
   // Requires Accepts().

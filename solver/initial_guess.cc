@@ -32,8 +32,8 @@ Vector3d BiasAt(const ArmProblem& problem, const State& state, int knot, int sen
 
 Quaterniond Turn(const ArmProblem& problem, const State& state, int knot, int sensor) {
   const Preintegrated& interval = problem.Interval(knot, sensor);
-  return interval.dq * Exp<double>(interval.dR_dbg *
-                                   (BiasAt(problem, state, knot, sensor) - interval.gyro_bias));
+  return interval.dq *
+         Exp<double>(interval.dR_dbg * (BiasAt(problem, state, knot, sensor) - interval.gyro_bias));
 }
 
 // The vertical in sensor axes at the first knot: specific force of the first seconds, turned back.
@@ -60,8 +60,7 @@ double HeadingTowards(const Quaterniond& q_target, const Quaterniond& q) {
 
 void SetFirstKnot(const ArmProblem& problem, State& state) {
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-    const Vector3d up_B =
-        MountingOf(problem, sensor) * FirstVertical(problem, state, sensor);
+    const Vector3d up_B = MountingOf(problem, sensor) * FirstVertical(problem, state, sensor);
     Attitude{state.Attitude(0, sensor)} = RotationBetween(up_B, Vector3d::UnitZ());
     const Vector3d x_W = Attitude(state.Attitude(0, sensor)) * Vector3d::UnitX();
     TurnFirstKnot(state, sensor, -std::atan2(x_W.y(), x_W.x()));
@@ -73,10 +72,9 @@ void SetFirstKnot(const ArmProblem& problem, State& state) {
   const ElbowAngles angles{pose->elbow_flexion.value_or(0.0),
                            problem.observations().arm.elbow.carrying_angle,
                            *pose->forearm_pronation};
-  const Quaterniond q_target = Attitude(state.Attitude(0, upper)) *
-                               ElbowRotation(angles, problem.observations().arm.side);
-  TurnFirstKnot(state, fore,
-                HeadingTowards(q_target, Attitude(state.Attitude(0, fore))));
+  const Quaterniond q_target =
+      Attitude(state.Attitude(0, upper)) * ElbowRotation(angles, problem.observations().arm.side);
+  TurnFirstKnot(state, fore, HeadingTowards(q_target, Attitude(state.Attitude(0, fore))));
 }
 
 void TurnFirstKnot(State& state, int sensor, double heading) {
@@ -94,8 +92,7 @@ void DeadReckon(const ArmProblem& problem, State& state, int from, int to) {
       Attitude{state.Attitude(knot + 1, sensor)} =
           (q_WS * Turn(problem, state, knot, sensor) * q_BS.conjugate()).normalized();
       Eigen::Map<Vector3d>{state.Velocity(knot + 1, sensor)} =
-          Vector(state.Velocity(knot, sensor)) + gravity * interval.duration +
-          q_WS * interval.dv;
+          Vector(state.Velocity(knot, sensor)) + gravity * interval.duration + q_WS * interval.dv;
     }
     for (int root = 0; root < problem.size().roots; ++root)
       std::copy_n(state.Root(knot, root), 3, state.Root(knot + 1, root));

@@ -12,8 +12,8 @@ void SetFirstKnot(const ArmProblem& problem, State& state);
 // Turns a segment at the first knot about the vertical [rad].
 void TurnFirstKnot(State& state, int sensor, double heading);
 
-// Knots after `from` up to `to`: attitudes and velocities dead reckoned with the biases of the state,
-// the root held where it was.
+// Knots after `from` up to `to`: attitudes and velocities dead reckoned with the biases of the
+// state, the root held where it was.
 void DeadReckon(const ArmProblem& problem, State& state, int from, int to);
 
 // Carries the bias at a node to all later ones.

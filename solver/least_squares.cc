@@ -5,8 +5,8 @@
 namespace brachium {
 namespace {
 
-// The problem is nearly linear once initialised: start with Gauss-Newton steps, let the trust region
-// shrink where that fails.
+// The problem is nearly linear once initialised: start with Gauss-Newton steps, let the trust
+// region shrink where that fails.
 constexpr double kStartTrustRegion = 1e8;
 
 bool IsGeometry(UnknownKind kind) {

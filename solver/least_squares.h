@@ -10,10 +10,10 @@ namespace brachium {
 
 struct SolveOptions {
   int most_iterations = 50;
-  double function_tolerance = 0.0;   // relative change of cost that ends the search
-  double step_tolerance = 1e-9;      // relative size of the step that ends it
+  double function_tolerance = 0.0;  // relative change of cost that ends the search
+  double step_tolerance = 1e-9;     // relative size of the step that ends it
   int threads = 1;
-  bool hold_geometry = false;        // keep scales, lever arms and joint vectors as they are
+  bool hold_geometry = false;  // keep scales, lever arms and joint vectors as they are
 };
 
 // Minimises `prior` and the terms with start_knot <= first knot and last knot <= last_knot over the

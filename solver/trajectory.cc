@@ -32,13 +32,13 @@ class AttitudeBetweenKnots {
     const Preintegrated& interval = problem.Interval(knot, sensor);
     const Quaterniond q_end =
         q_start_ * interval.dq * Exp<double>(interval.dR_dbg * (bias_ - interval.gyro_bias));
-    closing_ = Log<double>(q_end.conjugate() * (Attitude(state.Attitude(knot + 1, sensor)) * q_BS_));
+    closing_ =
+        Log<double>(q_end.conjugate() * (Attitude(state.Attitude(knot + 1, sensor)) * q_BS_));
   }
 
   // Times must not decrease from call to call.
   Quaterniond At(double time) {
-    if (time > time_)
-      q_WS_ = q_WS_ * problem_.Samples(sensor_).Sum(time_, time, bias_).dq;
+    if (time > time_) q_WS_ = q_WS_ * problem_.Samples(sensor_).Sum(time_, time, bias_).dq;
     time_ = std::max(time, time_);
     const double fraction = (time_ - start_) / (end_ - start_);
     return (q_WS_ * Exp<double>(fraction * closing_) * q_BS_.conjugate()).normalized();

@@ -10,7 +10,7 @@
 namespace brachium {
 namespace {
 
-constexpr int kHeadings = 6;            // tried about the full turn
+constexpr int kHeadings = 6;              // tried about the full turn
 constexpr double kClearlyCheaper = 12.0;  // twice the log-likelihood ratio that settles a heading
 constexpr double kDistinct = 20 * kDegree;
 constexpr double kLongestSettling = 80.0;  // [s]
@@ -20,8 +20,10 @@ constexpr SolveOptions kWindowSolve{
     .most_iterations = 20, .function_tolerance = 1e-7, .step_tolerance = 1e-7};
 
 // Lever arms that may flip would let a wrong heading explain everything.
-constexpr SolveOptions kSettlingSolve{.most_iterations = 20, .function_tolerance = 1e-5,
-                                      .step_tolerance = 1e-5, .hold_geometry = true};
+constexpr SolveOptions kSettlingSolve{.most_iterations = 20,
+                                      .function_tolerance = 1e-5,
+                                      .step_tolerance = 1e-5,
+                                      .hold_geometry = true};
 
 int KnotAt(const ArmProblem& problem, double time) {
   const auto& knots = problem.timeline().knots;
@@ -32,12 +34,14 @@ int KnotAt(const ArmProblem& problem, double time) {
 // Heading of a segment at the first knot against the one before it [rad].
 double RelativeHeading(const State& state, int sensor) {
   using Attitude = Eigen::Map<const Eigen::Quaterniond>;
-  const Eigen::Quaterniond q_turn = Attitude(state.Attitude(0, sensor)) *
-                                    Attitude(state.Attitude(0, sensor - 1)).conjugate();
+  const Eigen::Quaterniond q_turn =
+      Attitude(state.Attitude(0, sensor)) * Attitude(state.Attitude(0, sensor - 1)).conjugate();
   return 2 * std::atan2(q_turn.z(), q_turn.w());
 }
 
-double Distance(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+double Distance(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * std::numbers::pi));
+}
 
 bool IsSettledByPose(const ArmProblem& problem, int sensor) {
   const auto& pose = problem.observations().start_pose;
@@ -116,9 +120,11 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     report.iterations += static_cast<int>(summary.iterations.size()) - 1;
     ++report.windows;
     known = end;
-    if (progress) progress("windows", (timeline.knots[static_cast<std::size_t>(end)] - begin) / span);
+    if (progress)
+      progress("windows", (timeline.knots[static_cast<std::size_t>(end)] - begin) / span);
     if (end == last) return report;
-    HoldBias(problem, state, timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end)]) + 1);
+    HoldBias(problem, state,
+             timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end)]) + 1);
     const int next = std::max(KnotAt(problem, time + options.advance), start + 1);
     const Elimination left(problem, state, prior, start, next, false, workspace);
     prior = left.Carry(problem, state);

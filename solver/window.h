@@ -9,8 +9,8 @@
 namespace brachium {
 
 struct WindowOptions {
-  double length = 5.0;    // [s]
-  double advance = 2.5;   // from one window to the next [s]
+  double length = 5.0;         // [s]
+  double advance = 2.5;        // from one window to the next [s]
   bool hold_geometry = false;  // as in SolveOptions
 };
 
@@ -26,7 +26,8 @@ struct WindowReport {
 void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOptions& options,
                          WindowReport& report);
 
-// Sets the first knot, fixes the arm's heading there, and solves window after window; afterwards every knot holds the value with which it left its window.
+// Sets the first knot, fixes the arm's heading there, and solves window after window; afterwards
+// every knot holds the value with which it left its window.
 WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions& options,
                           const Progress& progress);
 

@@ -2,9 +2,9 @@
 //
 // A residual class R has
 //   R::kResiduals                                   number of whitened, unitless residuals
-//   R::Blocks = std::integer_sequence<int, ...>     sizes of its blocks; 4 means a rotation [x y z w]
-//   template <T> void operator()(const T* const* x, T* r) const              the equation
-//   void Differentiate(const double* const* x, double* const* J) const       its derivatives:
+//   R::Blocks = std::integer_sequence<int, ...>     sizes of its blocks; 4 means a rotation [x y z
+//   w] template <T> void operator()(const T* const* x, T* r) const              the equation void
+//   Differentiate(const double* const* x, double* const* J) const       its derivatives:
 //     one row-major matrix a block, in the tangent space (three columns for a rotation).
 #pragma once
 
@@ -30,7 +30,8 @@ using RowMajor =
 // A cost function that also knows its Jacobians in the tangent space.
 class TangentCost : public ceres::CostFunction {
  public:
-  // r: num_residuals(). J[i]: row-major, num_residuals() x tangent size of block i; none may be null.
+  // r: num_residuals(). J[i]: row-major, num_residuals() x tangent size of block i; none may be
+  // null.
   virtual void EvaluateTangent(const double* const* x, double* r, double* const* J) const = 0;
 };
 

@@ -8,7 +8,8 @@
 //           y_U·y_F = cos(flexion) cos β. s = +1 right, -1 left; valgus is -s β, so κ is positive
 //           when the forearm deviates away from the body.
 // Unknowns  q_WU, q_WF, carrying = [k0, k1] [rad]; a_k: the slow deviation [rad].
-// Weight    σ, τ [rad, s]: joint play and misplaced axes, as long as a posture lasts; σ_k [rad]: the
+// Weight    σ, τ [rad, s]: joint play and misplaced axes, as long as a posture lasts; σ_k [rad]:
+// the
 //           wobble of skin and muscle, white over the step: sqrt(2 σ_w² τ_w / D). One process for
 //           both would either call a wobble a lasting deviation or take it for hundreds of
 //           independent measurements of the heading.

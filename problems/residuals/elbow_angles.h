@@ -40,7 +40,7 @@ inline FlexionPronationGradient ElbowFlexionPronationGradient(const double* q_WU
   const Eigen::Matrix3d R_UF = (Rotation(q_WU).conjugate() * Rotation(q_WF)).toRotationMatrix();
   const Eigen::Vector3d z_F = R_UF.row(2).transpose();  // the flexion axis in F
   const Eigen::Vector3d y_F = Eigen::Vector3d::UnitY();
-  const Eigen::Vector3d x_F = y_F.cross(z_F);           // along the floating axis
+  const Eigen::Vector3d x_F = y_F.cross(z_F);  // along the floating axis
   const Eigen::Vector3d flexion = y_F.cross(x_F) / y_F.cross(x_F).dot(z_F);
   const Eigen::Vector3d pronation = s * z_F.cross(x_F) / z_F.cross(x_F).dot(y_F);
   return {-(R_UF * flexion).transpose(), flexion.transpose(), -(R_UF * pronation).transpose(),

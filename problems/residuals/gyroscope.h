@@ -1,10 +1,12 @@
 // Gyroscope: the attitude turns between two knots as the rates, less their bias, say.
 //
 //   r = Log( dR(b)ᵀ R_WS,k⁻¹ R_WS,k+1 ) / σ,   R_WS = R_WB R_BS,
-//   dR(b) = dR Exp(dR_dbg (b - b̄)),   b = (1-α) b_j + α b_j+1   (the value at the interval's middle)
+//   dR(b) = dR Exp(dR_dbg (b - b̄)),   b = (1-α) b_j + α b_j+1   (the value at the interval's
+//   middle)
 //
-// Frames    W world, B segment, S sensor. dR: attitude at the end in the sensor's frame at the start.
-// Unknowns  q_WB,k, q_WB,k+1 (right perturbed, rad); b_j, b_j+1: gyro bias at the two nodes about the
+// Frames    W world, B segment, S sensor. dR: attitude at the end in the sensor's frame at the
+// start. Unknowns  q_WB,k, q_WB,k+1 (right perturbed, rad); b_j, b_j+1: gyro bias at the two nodes
+// about the
 //           interval [rad/s].
 // Weight    σ² [rad²]: white noise S_g D, scale error, missing samples; isotropic, since a white
 //           isotropic rate noise stays so under rotation.
@@ -43,8 +45,7 @@ class Gyroscope {
     const Vector3T<T> bias = (T(1) - T(alpha_)) * Vector(x[2]) + T(alpha_) * Vector(x[3]);
     const Vector3T<T> correction = dR_dbg_.cast<T>() * (bias - bias_.cast<T>());
     const Eigen::Quaternion<T> dq = dq_.cast<T>() * Exp<T>(correction);
-    const Eigen::Quaternion<T> turn =
-        (Rotation(x[0]) * q_BS).conjugate() * (Rotation(x[1]) * q_BS);
+    const Eigen::Quaternion<T> turn = (Rotation(x[0]) * q_BS).conjugate() * (Rotation(x[1]) * q_BS);
     Eigen::Map<Vector3T<T>>{r} = T(weight_) * Log<T>(dq.conjugate() * turn);
   }
 
@@ -61,8 +62,8 @@ class Gyroscope {
     const Eigen::Matrix3d J_e = weight_ * InverseRightJacobian(Log<double>(q_error));
     Block{J[1]} = J_e * R_SB;
     Block{J[0]} = -J_e * (R_SB * (Rotation(x[1]).conjugate() * Rotation(x[0])).toRotationMatrix());
-    const Eigen::Matrix3d J_b = -J_e * q_error.conjugate().toRotationMatrix() *
-                                RightJacobian(correction) * dR_dbg_;
+    const Eigen::Matrix3d J_b =
+        -J_e * q_error.conjugate().toRotationMatrix() * RightJacobian(correction) * dR_dbg_;
     Block{J[2]} = (1 - alpha_) * J_b;
     Block{J[3]} = alpha_ * J_b;
   }

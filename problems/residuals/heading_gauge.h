@@ -2,9 +2,9 @@
 //
 //   r = e_z · (R̄ Log(R̄ᵀ R)) / σ
 //
-// Frames    R = R_WB of the first segment at the first knot, R̄ its start guess; e_z: world vertical.
-// Unknowns  q_WB. Weight σ = 1 mrad. Jacobian (R̄ᵀ e_z)ᵀ Jr⁻¹(Log(R̄ᵀ R)) / σ.
-// Blind to  inclination. Gyroscopes and accelerometers cannot see the heading of the whole arm; one
+// Frames    R = R_WB of the first segment at the first knot, R̄ its start guess; e_z: world
+// vertical. Unknowns  q_WB. Weight σ = 1 mrad. Jacobian (R̄ᵀ e_z)ᵀ Jr⁻¹(Log(R̄ᵀ R)) / σ. Blind to
+// inclination. Gyroscopes and accelerometers cannot see the heading of the whole arm; one
 //           prior fixes it, and no relative quantity depends on it.
 #pragma once
 
@@ -31,8 +31,7 @@ class HeadingGauge {
   void Differentiate(const double* const* x, double* const* J) const {
     const Eigen::Map<const Eigen::Quaterniond> q(x[0]);
     Eigen::Map<Eigen::RowVector3d>{J[0]} =
-        weight_ * up_B_.transpose() *
-        InverseRightJacobian(Log<double>(q_start_.conjugate() * q));
+        weight_ * up_B_.transpose() * InverseRightJacobian(Log<double>(q_start_.conjugate() * q));
   }
 
  private:

@@ -27,8 +27,7 @@ Eigen::VectorXd MarginalPrior::Difference(const double* const* x) const {
     const double* point = point_.data() + ambient_begin_[i];
     const int begin = tangent_begin_[i];
     if (sizes_[i] == 4)
-      difference.segment<3>(begin) =
-          Log<double>(Quaternion(point).conjugate() * Quaternion(x[i]));
+      difference.segment<3>(begin) = Log<double>(Quaternion(point).conjugate() * Quaternion(x[i]));
     else
       for (int j = 0; j < sizes_[i]; ++j) difference[begin + j] = x[i][j] - point[j];
   }

@@ -29,8 +29,7 @@ class ShoulderProcess : public Linear<3, 3> {
 class ShoulderProcessStart : public Linear<3, 2> {
  public:
   using Blocks = std::integer_sequence<int, 3, 3>;  // p_0, m
-  explicit ShoulderProcessStart(double sigma)
-      : Linear({1 / sigma, -1 / sigma}, Vector::Zero()) {}
+  explicit ShoulderProcessStart(double sigma) : Linear({1 / sigma, -1 / sigma}, Vector::Zero()) {}
 };
 
 }  // namespace brachium
