@@ -71,6 +71,15 @@ TEST(DetectRests, TakesTheMeanRateOfARestForTheBiasOfItsSensor) {
   EXPECT_GT(rests[0].probability, 0.8);
 }
 
+TEST(DetectRests, IsAsSureOfASensorWithABiasAsOfOneWithout) {
+  for (const double bias_deg_s : {0.0, 1.0, 1.8}) {
+    const auto rests =
+        DetectRests(Signals([&](double) { return Vector3d(0.0, bias_deg_s, 0.0); }, Zero, 5.0), {});
+    ASSERT_EQ(rests.size(), 1u);
+    EXPECT_GT(rests[0].probability, 0.85);
+  }
+}
+
 TEST(DetectRests, FindsNothingWhereTheSensorTurnsSlowlyAndIsPushedGently) {
   for (const Vector3d& axis : {Vector3d(1, 0, 0), Vector3d(0, 0.6, 0.8), Vector3d(0, 0, -1)}) {
     const auto recording = Signals(
