@@ -1,0 +1,243 @@
+#include "solver/elimination.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "solver/initial_guess.h"
+#include "tests/support/dense_information.h"
+#include "tests/support/simulated_trial.h"
+
+namespace brachium {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+// A stretch of movement that is small enough for dense matrices, dead reckoned. Its gyroscopes are
+// so poor that the information is conditioned well enough to be compared to nine digits and more.
+struct Stretch {
+  ArmProblem problem;
+  State state;
+  Elimination::Workspace workspace;
+
+  Stretch() : problem(CutTrial(), {.bias_node_spacing_s = 0.3}, 0.1), state(problem.PriorState()) {
+    SetFirstKnot(problem, state);
+    problem.FixHeading(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, 0)));
+    DeadReckon(problem, state, 0, problem.timeline().Intervals());
+  }
+
+  // Velocities where residuals in world axes vanish: they then do not change as the world turns.
+  void Halt() {
+    for (int knot = 0; knot < problem.size().knots; ++knot)
+      for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+        std::fill_n(state.Velocity(knot, sensor), 3, 0.0);
+  }
+
+  Elimination Eliminated(const CarriedPrior& prior, int start, int end, bool keep = false) {
+    return Elimination(problem, state, prior, start, end, keep, workspace);
+  }
+
+ private:
+  static Observations CutTrial() {
+    Observations observations = Brisk(16).observations;
+    for (Recording& recording : observations.recordings) {
+      recording = Cut(recording, 6.9, 8.1);
+      recording.noise.gyro_density *= 30.0;
+      recording.noise.gyro_bias_walk = 0.3 * kDegree;
+    }
+    observations.start_pose.reset();
+    return observations;
+  }
+};
+
+// What terms of knots in [0, end) say about the unknowns that stay, by one dense Schur complement.
+struct DenseMarginal {
+  MatrixXd H;
+  VectorXd g;
+
+  DenseMarginal(Stretch& stretch, int end, const std::vector<int>& kept) {
+    DenseInformation all(stretch.problem);
+    all.AddTerms(stretch.problem, stretch.state, 0, end);
+    const std::vector<int> K = all.RowsOf(stretch.problem, kept);
+    const std::set<int> stays(K.begin(), K.end());
+    std::vector<int> E;
+    for (int row = 0; row < all.H.rows(); ++row)
+      if (all.H(row, row) > 0.0 && !stays.contains(row)) E.push_back(row);
+    const MatrixXd solved = SolvedInLongDouble(
+        all.H(E, E), (MatrixXd(E.size(), K.size() + 1) << all.H(E, K), all.g(E)).finished());
+    const auto columns = static_cast<Eigen::Index>(K.size());
+    H = all.H(K, K) - all.H(K, E) * solved.leftCols(columns);
+    g = all.g(K) - all.H(K, E) * solved.col(columns);
+  }
+};
+
+// H and g of a carried prior alone, over its own unknowns.
+DenseInformation InformationOf(const CarriedPrior& prior, Stretch& stretch) {
+  DenseInformation information(stretch.problem);
+  information.Add(*prior.cost, prior.unknowns, stretch.problem, stretch.state);
+  return information;
+}
+
+double LargestScaled(const MatrixXd& difference, const VectorXd& diagonal) {
+  const VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+  return (scale.asDiagonal() * difference * scale.asDiagonal()).cwiseAbs().maxCoeff();
+}
+
+TEST(Elimination, CarriesOnWhatTheSchurComplementOfAllThatLeftSays) {
+  Stretch stretch;
+  const CarriedPrior prior = stretch.Eliminated({}, 0, 6).Carry(stretch.problem, stretch.state);
+  const DenseMarginal expected(stretch, 6, prior.unknowns);
+  const DenseInformation carried = InformationOf(prior, stretch);
+  const std::vector<int> K = carried.RowsOf(stretch.problem, prior.unknowns);
+  EXPECT_LT(LargestScaled(carried.H(K, K) - expected.H, expected.H.diagonal()), 1e-9);
+  const VectorXd unit = expected.H.diagonal().cwiseSqrt();
+  const VectorXd g = expected.g.cwiseQuotient(unit), g_carried = carried.g(K).cwiseQuotient(unit);
+  EXPECT_LT((g_carried - g).cwiseAbs().maxCoeff(), 1e-9 * g.cwiseAbs().maxCoeff());
+}
+
+TEST(Elimination, KeepsOnlyWhatLaterTermsTouch) {
+  Stretch stretch;
+  const CarriedPrior prior = stretch.Eliminated({}, 0, 6).Carry(stretch.problem, stretch.state);
+  const std::vector<int>& nodes = stretch.problem.timeline().nodes;
+  for (const int unknown : prior.unknowns) {
+    const Unknown u = stretch.problem.Describe(unknown);
+    if (u.place < 0) continue;
+    if (u.kind == UnknownKind::kGyroBias)
+      EXPECT_GT(nodes[std::min(static_cast<std::size_t>(u.place) + 1, nodes.size() - 1)], 6);
+    else
+      EXPECT_EQ(u.place, 6);
+  }
+  for (int sensor = 0; sensor < 2; ++sensor)
+    EXPECT_EQ(std::count(prior.unknowns.begin(), prior.unknowns.end(),
+                         stretch.problem.Attitude(6, sensor)),
+              1);
+}
+
+TEST(Elimination, InTwoStepsGivesTheStepOfSolvingAllAtOnce) {
+  Stretch stretch;
+  const ArmProblem& problem = stretch.problem;
+  const int end = problem.size().knots;
+  DenseInformation all(problem), rest(problem);
+  all.AddTerms(problem, stretch.state, 0, end);
+  CarriedPrior prior = stretch.Eliminated({}, 0, 3).Carry(problem, stretch.state);
+  prior = stretch.Eliminated(prior, 3, 7).Carry(problem, stretch.state);
+  rest.Add(*prior.cost, prior.unknowns, problem, stretch.state);
+  rest.AddTerms(problem, stretch.state, 7, end);
+
+  std::vector<int> rows, K;
+  for (int row = 0; row < all.H.rows(); ++row) {
+    if (all.H(row, row) > 0.0) rows.push_back(row);
+    if (rest.H(row, row) > 0.0) K.push_back(row);
+  }
+  ASSERT_LT(K.size(), rows.size());
+  const auto step = [](const DenseInformation& information, const std::vector<int>& of) {
+    VectorXd dx = VectorXd::Zero(information.g.size());
+    dx(of) = SolvedInLongDouble(information.H(of, of), information.g(of));
+    return dx;
+  };
+  const VectorXd expected = step(all, rows), found = step(rest, K);
+  const auto n = static_cast<Eigen::Index>(K.size());
+  const VectorXd sd =
+      SolvedInLongDouble(rest.H(K, K), MatrixXd::Identity(n, n)).diagonal().cwiseSqrt();
+  const VectorXd error = (found(K) - expected(K)).cwiseQuotient(sd);
+  const VectorXd size = VectorXd(expected(K)).cwiseQuotient(sd);
+  EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-9 * size.cwiseAbs().maxCoeff());
+}
+
+// d/dψ of all attitudes as the world turns by ψ about the vertical.
+VectorXd HeadingDirection(Stretch& stretch, const std::vector<int>& unknowns) {
+  DenseInformation layout(stretch.problem);
+  VectorXd d = VectorXd::Zero(layout.g.size());
+  for (const int unknown : unknowns)
+    if (stretch.problem.Describe(unknown).kind == UnknownKind::kAttitude)
+      d.segment<3>(layout.OffsetOf(unknown)) =
+          Eigen::Map<const Eigen::Quaterniond>(stretch.problem.Value(stretch.state, unknown))
+              .conjugate() *
+          Eigen::Vector3d::UnitZ();
+  return d;
+}
+
+double HeadingInformation(Stretch& stretch, int end) {
+  const CarriedPrior prior = stretch.Eliminated({}, 0, end).Carry(stretch.problem, stretch.state);
+  const VectorXd d = HeadingDirection(stretch, prior.unknowns);
+  return d.dot(InformationOf(prior, stretch).H * d);
+}
+
+// The gauge's σ and the spread V that the gyroscopes add on the way leave 1 / (σ² + V), where V is
+// the variance of the first heading with the gauge left out and everything that stays held still.
+TEST(Elimination, CarriesOnOfTheHeadingOnlyTheShareOfTheGauge) {
+  Stretch stretch;
+  stretch.Halt();
+  constexpr int kEnd = 6;
+  const CarriedPrior prior = stretch.Eliminated({}, 0, kEnd).Carry(stretch.problem, stretch.state);
+  DenseInformation without(stretch.problem);
+  for (const Term& term : stretch.problem.terms())
+    if (term.first_knot < kEnd &&
+        !(term.kind == ResidualKind::kGauge && term.cost->num_residuals() == 1))
+      without.Add(*term.cost, term.unknowns, stretch.problem, stretch.state);
+  const std::vector<int> K = without.RowsOf(stretch.problem, prior.unknowns);
+  const std::set<int> stays(K.begin(), K.end());
+  std::vector<int> E;
+  for (int row = 0; row < without.H.rows(); ++row)
+    if (without.H(row, row) > 0.0 && !stays.contains(row)) E.push_back(row);
+  const VectorXd up = HeadingDirection(stretch, {stretch.problem.Attitude(0, 0)})(E);
+  const double V = up.dot(SolvedInLongDouble(without.H(E, E), up).col(0));
+  const double share = 1.0 / (1e-6 + V);
+  EXPECT_LT(share, 1e6);
+  EXPECT_NEAR(HeadingInformation(stretch, kEnd) / share, 1.0, 1e-9);
+}
+
+TEST(Elimination, CarriesOnNothingOfTheHeadingWithoutAGauge) {
+  Stretch stretch;
+  stretch.Halt();
+  const double with = HeadingInformation(stretch, 6);
+  stretch.problem = ArmProblem(stretch.problem.observations(), stretch.problem.options(), 0.1);
+  EXPECT_NEAR(HeadingInformation(stretch, 6) / with, 0.0, 1e-9);
+}
+
+TEST(Elimination, VisitsTheCovariancesOfTheDenseInverse) {
+  Stretch stretch;
+  const int knots = stretch.problem.size().knots;
+  DenseInformation all(stretch.problem);
+  all.AddTerms(stretch.problem, stretch.state, 0, knots);
+  std::vector<int> rows;
+  for (int row = 0; row < all.H.rows(); ++row)
+    if (all.H(row, row) > 0.0) rows.push_back(row);
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  MatrixXd expected = MatrixXd::Zero(all.H.rows(), all.H.rows());
+  expected(rows, rows) = SolvedInLongDouble(all.H(rows, rows), MatrixXd::Identity(n, n));
+
+  const Elimination elimination = stretch.Eliminated({}, 0, knots, true);
+  EXPECT_TRUE(elimination.singular().empty());
+  int visited = 0;
+  std::set<int> seen;
+  elimination.VisitCovariances([&](int knot, const BlockIndex& index, const MatrixXd& covariance) {
+    EXPECT_EQ(knot, knots - 1 - visited++);
+    seen.insert(index.unknowns.begin(), index.unknowns.end());
+    const std::vector<int> of = all.RowsOf(stretch.problem, index.unknowns);
+    const MatrixXd dense = expected(of, of);
+    EXPECT_LT(LargestScaled(covariance - dense, dense.diagonal()), 1e-9) << "knot " << knot;
+  });
+  EXPECT_EQ(visited, knots);
+  EXPECT_EQ(seen.size(), static_cast<std::size_t>(stretch.problem.unknowns()));
+}
+
+TEST(Elimination, NamesTheUnknownsThatNothingDetermines) {
+  Stretch stretch;
+  stretch.problem = ArmProblem(stretch.problem.observations(), stretch.problem.options(), 0.1);
+  const std::vector<int> singular =
+      stretch.Eliminated({}, 0, stretch.problem.size().knots, true).singular();
+  EXPECT_TRUE(std::any_of(singular.begin(), singular.end(), [&](int unknown) {
+    return stretch.problem.Describe(unknown).kind == UnknownKind::kAttitude;
+  }));
+}
+
+TEST(BlockIndex, KnowsWhichUnknownsItHolds) {
+  const BlockIndex index{.unknowns = {4, 9}, .offset = {0, 3}, .dimension = 6};
+  EXPECT_EQ(index.OffsetOf(9), 3);
+  EXPECT_EQ(index.OffsetOf(5), -1);
+}
+
+}  // namespace
+}  // namespace brachium
