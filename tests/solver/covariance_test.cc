@@ -1,0 +1,96 @@
+#include "solver/covariance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "solver/initial_guess.h"
+#include "solver/window.h"
+#include "tests/support/dense_information.h"
+#include "tests/support/simulated_trial.h"
+
+namespace brachium {
+namespace {
+
+// A trial solved from end to end with the weights that it starts with.
+struct Solved {
+  ArmProblem problem;
+  State state;
+
+  explicit Solved(const Observations& observations, double knot_spacing = 0.1)
+      : problem(observations, {}, knot_spacing), state(problem.PriorState()) {
+    SolveForward(problem, state, {}, {});
+    Solve(problem, state, {}, 0, problem.timeline().Intervals(), {});
+  }
+  Certainty Assess() { return AssessCertainty(problem, state); }
+};
+
+Observations CutAt(double end) {
+  Observations observations = Brisk(16).observations;
+  for (Recording& recording : observations.recordings) recording = Cut(recording, 0.0, end);
+  return observations;
+}
+
+TEST(Certainty, IsThatOfTheDenseInverse) {
+  Solved solved(CutAt(4.0));
+  const ArmProblem& problem = solved.problem;
+  DenseInformation all(problem);
+  all.AddTerms(problem, solved.state, 0, problem.size().knots);
+  const auto n = all.H.rows();
+  for (Eigen::Index row = 0; row < n; ++row) ASSERT_GT(all.H(row, row), 0.0);
+  const Eigen::VectorXd sd =
+      SolvedInLongDouble(all.H, Eigen::MatrixXd::Identity(n, n)).diagonal().cwiseSqrt();
+
+  const Certainty certainty = solved.Assess();
+  EXPECT_TRUE(certainty.singular.empty());
+  const int constants = problem.unknowns() - problem.FirstConstant();
+  EXPECT_EQ(certainty.constant_sd.size(),
+            static_cast<std::size_t>(constants + 2 * problem.size().nodes));
+  for (const auto& [unknown, found] : certainty.constant_sd) {
+    const Eigen::VectorXd expected = sd.segment(all.OffsetOf(unknown), found.size());
+    EXPECT_LT((found.cwiseQuotient(expected).array() - 1.0).abs().maxCoeff(), 1e-8);
+  }
+  ASSERT_EQ(certainty.root_sd.size(), static_cast<std::size_t>(problem.size().knots));
+  for (const int knot : {0, 7, problem.size().knots - 1}) {
+    const double expected = sd.segment<3>(all.OffsetOf(problem.Root(knot, 0))).maxCoeff();
+    EXPECT_NEAR(certainty.root_sd[static_cast<std::size_t>(knot)] / expected, 1.0, 1e-8);
+  }
+}
+
+TEST(Certainty, GrowsWithTheLengthOfATrial) {
+  Solved brief(CutAt(6.0)), longer(Brisk(16).observations);
+  const auto sd = [](Solved& solved, UnknownKind kind, int sensor) {
+    return solved.Assess().constant_sd.at(solved.problem.Constant(kind, sensor)).norm();
+  };
+  EXPECT_LT(sd(longer, UnknownKind::kAccelBias, 1), sd(brief, UnknownKind::kAccelBias, 1));
+  EXPECT_LT(sd(longer, UnknownKind::kSensorPosition, 1),
+            sd(brief, UnknownKind::kSensorPosition, 1));
+}
+
+TEST(Certainty, NamesWhatTheInformationDoesNotDetermine) {
+  const ArmProblem problem(CutAt(4.0), {}, 0.1);  // its heading not tied down
+  State state = problem.PriorState();
+  SetFirstKnot(problem, state);
+  for (int knot = 1; knot < problem.size().knots; ++knot)
+    for (int sensor = 0; sensor < 2; ++sensor)
+      std::copy_n(state.Attitude(0, sensor), 4, state.Attitude(knot, sensor));
+  const std::vector<int> singular = AssessCertainty(problem, state).singular;
+  EXPECT_TRUE(std::any_of(singular.begin(), singular.end(), [&](int unknown) {
+    return problem.Describe(unknown).kind == UnknownKind::kAttitude;
+  }));
+}
+
+TEST(UnmodelledAcceleration, IsFoundLargerWhereMoreIsLeftOut) {
+  const auto of_forearm = [](double wobble) {
+    SimulationOptions options;
+    options.soft_tissue = {.translation_rms = wobble, .frequency = 2.0};
+    Solved solved(Brisk(16, options).observations);
+    return solved.Assess().unmodelled_acceleration.at(1);
+  };
+  const double firm = of_forearm(0.0), soft = of_forearm(0.006);
+  EXPECT_GT(firm, 0.0);
+  EXPECT_GT(soft, 2 * firm);
+}
+
+}  // namespace
+}  // namespace brachium
