@@ -1,11 +1,11 @@
 // From a residual (an equation and its derivatives) to a cost function of Ceres.
 //
 // A residual class R has
-//   R::kResiduals                                   number of whitened, unitless residuals
-//   R::Blocks = std::integer_sequence<int, ...>     sizes of its blocks; 4 means a rotation [x y z
-//   w] template <T> void operator()(const T* const* x, T* r) const              the equation void
-//   Differentiate(const double* const* x, double* const* J) const       its derivatives:
-//     one row-major matrix a block, in the tangent space (three columns for a rotation).
+//   R::kResiduals      the number of whitened, unitless residuals,
+//   R::Blocks          std::integer_sequence<int, ...>, sizes of its blocks; 4: rotation [x y z w],
+//   operator()         template <T> void (const T* const* x, T* r) const: the equation,
+//   Differentiate      void (const double* const* x, double* const* J) const: its derivatives, one
+//                      row-major matrix a block, in the tangent space (3 columns for a rotation).
 #pragma once
 
 #include <ceres/autodiff_cost_function.h>

@@ -8,11 +8,10 @@
 //           y_U·y_F = cos(flexion) cos β. s = +1 right, -1 left; valgus is -s β, so κ is positive
 //           when the forearm deviates away from the body.
 // Unknowns  q_WU, q_WF, carrying = [k0, k1] [rad]; a_k: the slow deviation [rad].
-// Weight    σ, τ [rad, s]: joint play and misplaced axes, as long as a posture lasts; σ_k [rad]:
-// the
-//           wobble of skin and muscle, white over the step: sqrt(2 σ_w² τ_w / D). One process for
-//           both would either call a wobble a lasting deviation or take it for hundreds of
-//           independent measurements of the heading.
+// Weight    σ [rad], τ [s]: joint play and misplaced axes, as long as a posture lasts;
+//           σ_k [rad]: the wobble of skin and muscle, white over the step: sqrt(2 σ_w² τ_w / D).
+//           One process for both would either call a wobble a lasting deviation or take it for
+//           hundreds of independent measurements of the heading.
 // Jacobian  ∂(u_U·v_F)/∂φ_U = (u × R_UF v)ᵀ, ∂/∂φ_F = (v × R_FU u)ᵀ for unit axes u, v;
 //           ∂e/∂(z_U·y_F) = 1/cos κ, ∂e/∂κ = s + e tan κ; ∂r/∂a_k = -1/σ_k.
 // Blind to  a rotation common to both segments; flexion; pronation. The relative heading δ changes
