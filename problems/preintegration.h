@@ -3,9 +3,8 @@
 // Over an interval of length D that starts at attitude R, velocity v and position p of the sensor,
 //   R_end = R dR,   v_end = v + g D + R dv,   p_end = p + v D + g D²/2 + R dp.
 // Each sample is the mean over its cell; a cell is clipped to the interval. Within a cell the rate
-// and the specific force are straight lines (mean and slope from the neighbours), which keeps
-// coning and sculling to third order in the cell length h. With w, w', f, f' at the cell's centre
-// and
+// and the specific force are straight lines (mean and slope from the neighbours), which keeps coning
+// and sculling to third order in the cell length h. With w, w', f, f' at the cell's centre and
 //   R_m = dR Exp(w h/2 - w' h²/8)                        the attitude at the middle of the cell,
 //   f_m = f + h²/12 (w×f' + w'×f/2 + w×(w×f)/2),
 //   dp += dv h + R_m (f_m h²/2 - (w×f + f') h³/12),   dv += R_m f_m h,

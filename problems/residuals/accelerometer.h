@@ -1,20 +1,18 @@
-// Accelerometer with segment lengths: the sensor, carried by the chain of segments, moves between
-// two knots as its specific force says.
+// Accelerometer with segment lengths: the sensor, carried by the chain of segments, moves between two
+// knots as its specific force says.
 //
 //   r_v = R_kᵀ (v_k+1 - v_k - g D) - dv(b, a, s)              R_k = R_WB,k R_BS of the last segment
 //   r_p = R_kᵀ (P_k+1 - P_k - v_k D - g D²/2) - dp(b, a, s)   P   = p + Σ R_i d_i + R_n l
 //   r   = W [r_v; r_p],   Wᵀ W = (C ⊗ I₃)⁻¹
 //
-// Frames    W world (z up, g = (0, 0, -9.81)); B_1 ... B_n the segments from the chain's root to
-// the
-//           one that wears the sensor; S sensor. p: the root joint, d_i: from a segment's proximal
-//           to its distal joint in its axes, l: the sensor in the last segment's axes.
-// Unknowns  q_1 ... q_n at k, then at k+1; p_k, p_k+1 [m]; v_k, v_k+1: velocity of the sensor
-// [m/s];
+// Frames    W world (z up, g = (0, 0, -9.81)); B_1 ... B_n the segments from the chain's root to the
+//           one that wears the sensor; S sensor. p: the root joint, d_i: from a segment's proximal to
+//           its distal joint in its axes, l: the sensor in the last segment's axes.
+// Unknowns  q_1 ... q_n at k, then at k+1; p_k, p_k+1 [m]; v_k, v_k+1: velocity of the sensor [m/s];
 //           gyro bias at the two nodes about the interval [rad/s]; accelerometer bias a [m/s²] and
 //           scale s [1]; l, d_1 ... d_n-1 [m].
-// Weight    C = covariance of (dv, dp) on one axis; their correlation (0.87 for white noise) is
-// kept. Jacobian  with u_v, u_p the brackets above in segment axes, u = R_WB,kᵀ (·):
+// Weight    C = covariance of (dv, dp) on one axis; their correlation (0.87 for white noise) is kept.
+// Jacobian  with u_v, u_p the brackets above in segment axes, u = R_WB,kᵀ (·):
 //           ∂r_v/∂φ_n,k = R_SB [u_v]x,   ∂r_p/∂φ_n,k = R_SB ([u_p]x + [l]x),
 //           ∂r_p/∂φ_i,k = R_kᵀ R_i [d_i]x, and the opposite with the attitude of k+1 for k+1;
 //           the samples' corrections are linear (preintegration.h).

@@ -5,8 +5,7 @@
 //
 // Frames    sensor axes. T: time between the nodes, or length of the rest [s].
 // Unknowns  b_j, b_j+1: gyro bias at two nodes [rad/s], linear between them.
-// Weight    σ_w: in-run walk [rad/s/sqrt(s)]; S_g: white rate noise (two-sided) [rad²/s]; σ_θ: how
-// far
+// Weight    σ_w: in-run walk [rad/s/sqrt(s)]; S_g: white rate noise (two-sided) [rad²/s]; σ_θ: how far
 //           the segment really turns to and fro in the rest [rad]: over T its two ends differ by
 //           sqrt(2) σ_θ; π: the probability that the rest is one.
 // Jacobian  ∓I / (σ_w sqrt(T)); -(1-α) w I, -α w I.

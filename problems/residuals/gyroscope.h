@@ -1,12 +1,10 @@
 // Gyroscope: the attitude turns between two knots as the rates, less their bias, say.
 //
 //   r = Log( dR(b)ᵀ R_WS,k⁻¹ R_WS,k+1 ) / σ,   R_WS = R_WB R_BS,
-//   dR(b) = dR Exp(dR_dbg (b - b̄)),   b = (1-α) b_j + α b_j+1   (the value at the interval's
-//   middle)
+//   dR(b) = dR Exp(dR_dbg (b - b̄)),   b = (1-α) b_j + α b_j+1   (the value at the interval's middle)
 //
-// Frames    W world, B segment, S sensor. dR: attitude at the end in the sensor's frame at the
-// start. Unknowns  q_WB,k, q_WB,k+1 (right perturbed, rad); b_j, b_j+1: gyro bias at the two nodes
-// about the
+// Frames    W world, B segment, S sensor. dR: attitude at the end in the sensor's frame at the start.
+// Unknowns  q_WB,k, q_WB,k+1 (right perturbed, rad); b_j, b_j+1: gyro bias at the two nodes about the
 //           interval [rad/s].
 // Weight    σ² [rad²]: white noise S_g D, scale error, missing samples; isotropic, since a white
 //           isotropic rate noise stays so under rotation.

@@ -2,14 +2,12 @@
 //
 //   r = r̄ + J (x ⊟ x̄)        ⊟: Log(R̄ᵀ R) for an attitude, the difference otherwise
 //
-// Unknowns  the first knot that stays, the bias nodes about it, the constants; any number of
-// blocks. Weight    JᵀJ is the Schur complement of the information of all that left, r̄ its
-// gradient; x̄ is
+// Unknowns  the first knot that stays, the bias nodes about it, the constants; any number of blocks.
+// Weight    JᵀJ is the Schur complement of the information of all that left, r̄ its gradient; x̄ is
 //           where it was linearised and stays so.
 // Jacobian  J, with J Jr⁻¹(Log(R̄ᵀ R)) for an attitude.
 // Blind to  what the departed residuals were blind to, as long as x stays near x̄.
-// Source    Schur complement: Triggs et al., Bundle Adjustment, a Modern Synthesis (2000),
-// section 6.
+// Source    Schur complement: Triggs et al., Bundle Adjustment, a Modern Synthesis (2000), section 6.
 #pragma once
 
 #include <Eigen/Core>

@@ -3,12 +3,10 @@
 //   r = max(0, flexion - upper) / σ + min(0, flexion - lower) / σ
 //
 // Frames    flexion of R_UF as in elbow_angles.h.
-// Unknowns  q_WU, q_WF. Weight σ [rad]: how softly the stop gives way. Jacobian that of flexion
-// where
+// Unknowns  q_WU, q_WF. Weight σ [rad]: how softly the stop gives way. Jacobian that of flexion where
 //           a limit is passed, else zero.
-// Blind to  everything inside the range. It tells the two relative headings apart that a hinge
-// allows. Source    limits: -5 deg (hyperextension) to 160 deg, wider than the clinical norms of
-// Boone & Azen,
+// Blind to  everything inside the range. It tells the two relative headings apart that a hinge allows.
+// Source    limits: -5 deg (hyperextension) to 160 deg, wider than the clinical norms of Boone & Azen,
 //           J. Bone Joint Surg. 61-A (1979).
 #pragma once
 

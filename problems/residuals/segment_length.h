@@ -6,8 +6,8 @@
 //           anatomical segment of length L.
 // Unknowns  d. Weight σ [m], a tape 5 mm. Jacobian I/σ.
 // Blind to  everything else: the accelerometers of the sensors beyond the joint inform d wherever
-//           the segment turns (accelerometer.h); the length and the place of the segment's own
-//           sensor along it are seen as a difference only.
+//           the segment turns (accelerometer.h); the length and the place of the segment's own sensor
+//           along it are seen as a difference only.
 // Source    known lengths as constraints: Zhou et al., Med. Eng. Phys. 30 (2008), eqs. 6 and 7.
 #pragma once
 

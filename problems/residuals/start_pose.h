@@ -6,8 +6,8 @@
 // Frames    U upper arm, F forearm, W world; angles as in elbow_angles.h; elevation is the angle of
 //           the upper arm from hanging, y_U its long axis (proximal), e_z up.
 // Unknowns  q_WU, q_WF; q_WU.
-// Weight    σ [rad]: how well people take a pose, about 10 deg; an angle that was not told has
-// none. Jacobian  elbow_angles.h, with the difference taken to the nearest turn;
+// Weight    σ [rad]: how well people take a pose, about 10 deg; an angle that was not told has none.
+// Jacobian  elbow_angles.h, with the difference taken to the nearest turn;
 //           ∂(y_U·e_z)/∂φ_U = (y × R_UW e_z)ᵀ.
 // Blind to  the common heading. Pronation of a hanging arm is what fixes the relative heading.
 // Source    Luinge, Veltink & Baten (2007): arms along the body, thumbs forward.

@@ -2,8 +2,7 @@
 //
 //   e_k = R_WT,kᵀ (p_k - t_k) - d_T,   r = (e_k - ρ e_k-1) / (σ sqrt(1 - ρ²));   the first: e_0 / σ
 //
-// Frames    T thorax; t: its origin, p: the root joint of the arm, both in W [m]; d_T: from the one
-// to
+// Frames    T thorax; t: its origin, p: the root joint of the arm, both in W [m]; d_T: from the one to
 //           the other in thorax axes, as told [m].
 // Unknowns  q_WT, t, p at knot k-1, then at k.
 // Weight    σ, τ of the shoulder (shoulder_process.h), here about the thorax instead of the world.

@@ -4,15 +4,12 @@
 //
 // Frames    v: velocity of the sensor in W [m/s].
 // Unknowns  v_k-1, v_k.
-// Weight    σ 5 mm/s and τ 0.5 s: what breathing and tremor leave of a rest; π: the probability
-// that
+// Weight    σ 5 mm/s and τ 0.5 s: what breathing and tremor leave of a rest; π: the probability that
 //           the rest is one (stillness.h).
 // Jacobian  -w ρ I, w I with w = sqrt(π) / (σ sqrt(1 - ρ²)).
-// Blind to  attitude and place. No residual for gravity stands beside it: with v = 0 gravity
-// follows
+// Blind to  attitude and place. No residual for gravity stands beside it: with v = 0 gravity follows
 //           from the accelerometer, and a second use of the same samples would count them twice.
-// Source    zero-velocity updates as a residual instead of a reset: Bai et al., IEEE TNSRE 23
-// (2015),
+// Source    zero-velocity updates as a residual instead of a reset: Bai et al., IEEE TNSRE 23 (2015),
 //           section II-D, reset the velocity between movements.
 #pragma once
 
