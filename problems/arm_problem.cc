@@ -18,6 +18,8 @@ std::string_view Name(ResidualKind kind) {
       return "gyroscope";
     case ResidualKind::kAccelerometer:
       return "accelerometer";
+    case ResidualKind::kSegmentChain:
+      return "segment_chain";
     case ResidualKind::kElbowAdduction:
       return "elbow_adduction";
     case ResidualKind::kAdductionProcess:
@@ -64,10 +66,10 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   has_thorax_ = observations_.recordings[0].segment == Segment::kThorax;
   size_ = {sensors, has_thorax_ && sensors > 1 ? 2 : 1, static_cast<int>(timeline_.knots.size()),
            static_cast<int>(timeline_.nodes.size())};
-  per_knot_ = 2 * sensors + size_.roots + 1;  // and the elbow's deviation
+  per_knot_ = 3 * sensors + size_.roots + 1;  // and the elbow's deviation
   first_node_ = per_knot_ * size_.knots;
   first_constant_ = first_node_ + sensors * size_.nodes;
-  unmodelled_.assign(U(sensors), options.unmodelled_acceleration);
+  unmodelled_.assign(U(sensors), {options.unmodelled_acceleration, options.unmodelled_quiver});
 
   AddConstants();
   const State prior = PriorState();
@@ -81,6 +83,8 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
       AddGyroscope(knot, sensor);
       AddAccelerometer(knot, sensor);
     }
+  for (int knot = 0; knot < size_.knots; ++knot)
+    for (int sensor = 0; sensor < sensors; ++sensor) AddChain(knot, sensor);
   AddElbow();
   AddShoulder();
   for (int sensor = 0; sensor < sensors; ++sensor) {
@@ -101,7 +105,9 @@ Unknown ArmProblem::Describe(int unknown) const {
   if (rest == per_knot_ - 1) return {UnknownKind::kAdduction, knot, -1};
   if (rest < size_.sensors) return {UnknownKind::kAttitude, knot, rest};
   if (rest < size_.sensors + size_.roots) return {UnknownKind::kRoot, knot, rest - size_.sensors};
-  return {UnknownKind::kVelocity, knot, rest - size_.sensors - size_.roots};
+  const int motion = rest - size_.sensors - size_.roots;
+  if (motion < size_.sensors) return {UnknownKind::kVelocity, knot, motion};
+  return {UnknownKind::kPlace, knot, motion - size_.sensors};
 }
 
 double* ArmProblem::Value(State& state, int unknown) const {
@@ -113,6 +119,8 @@ double* ArmProblem::Value(State& state, int unknown) const {
       return state.Root(u.place, u.sensor);
     case UnknownKind::kVelocity:
       return state.Velocity(u.place, u.sensor);
+    case UnknownKind::kPlace:
+      return state.Place(u.place, u.sensor);
     case UnknownKind::kAdduction:
       return state.Adduction(u.place);
     case UnknownKind::kGyroBias:

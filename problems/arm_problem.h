@@ -22,6 +22,7 @@ namespace brachium {
 enum class ResidualKind {
   kGyroscope,
   kAccelerometer,
+  kSegmentChain,
   kElbowAdduction,
   kAdductionProcess,
   kShoulderProcess,
@@ -54,6 +55,12 @@ struct Term {
   int last_knot = 0;   // at which the term enters
 };
 
+// What the model leaves out of one sensor's motion: both last for unmodelled_correlation_s.
+struct Unmodelled {
+  double acceleration = 0.0;  // rms of an axis [m/s²]
+  double quiver = 0.0;        // rms of an axis of its place against the chain of segments [m]
+};
+
 class ArmProblem {
  public:
   // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
@@ -72,6 +79,7 @@ class ArmProblem {
   int Velocity(int knot, int sensor) const {
     return knot * per_knot_ + size_.sensors + size_.roots + sensor;
   }
+  int Place(int knot, int sensor) const { return Velocity(knot, size_.sensors) + sensor; }
   int Adduction(int knot) const { return knot * per_knot_ + per_knot_ - 1; }
   int GyroBias(int node, int sensor) const { return first_node_ + node * size_.sensors + sensor; }
   int Constant(UnknownKind kind, int sensor) const;  // -1 where the problem has none
@@ -98,13 +106,15 @@ class ArmProblem {
   // A state with every constant at its prior mean, biases from the rests, knots not yet set.
   State PriorState() const;
 
-  // The unmodelled acceleration of each sensor [m/s²]; setting it renews the accelerometers'
-  // weights.
-  const std::vector<double>& unmodelled_acceleration() const { return unmodelled_; }
-  void SetUnmodelledAcceleration(const std::vector<double>& sigma);
+  // What the model leaves out of each sensor's motion; setting it renews the weights that use it.
+  const std::vector<Unmodelled>& unmodelled() const { return unmodelled_; }
+  void SetUnmodelled(const std::vector<Unmodelled>& unmodelled);
 
   // Ties the heading of the first segment at the first knot to this attitude.
   void FixHeading(const Eigen::Quaterniond& q_WB);
+
+  // The time that a knot stands for: half of the intervals beside it [s].
+  double KnotSpan(int knot) const;
 
   // Two-sided density of what an accelerometer's interval leaves out, white noise apart [m²/s³].
   double UnmodelledDensity(int knot, int sensor, double sigma) const;
@@ -113,6 +123,7 @@ class ArmProblem {
   void AddConstants();
   void AddGyroscope(int knot, int sensor);
   void AddAccelerometer(int knot, int sensor);
+  void AddChain(int knot, int sensor);
   void AddElbow();
   void AddShoulder();
   void AddRests(int sensor);
@@ -122,6 +133,7 @@ class ArmProblem {
   void Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor, int first,
            int last);
   std::unique_ptr<TangentCost> MakeAccelerometer(int knot, int sensor) const;
+  std::unique_ptr<TangentCost> MakeChain(int knot, int sensor) const;
 
   Observations observations_;
   ModelOptions options_;
@@ -133,7 +145,7 @@ class ArmProblem {
   std::vector<Preintegrator> preintegrators_;
   std::vector<std::vector<RestInterval>> rests_;
   std::vector<Preintegrated> intervals_;
-  std::vector<double> unmodelled_;
+  std::vector<Unmodelled> unmodelled_;
   std::vector<Term> terms_;
 };
 

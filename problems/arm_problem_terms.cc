@@ -10,6 +10,7 @@
 #include "problems/residuals/heading_gauge.h"
 #include "problems/residuals/prior.h"
 #include "problems/residuals/range_of_motion.h"
+#include "problems/residuals/segment_chain.h"
 #include "problems/residuals/segment_length.h"
 #include "problems/residuals/shoulder_process.h"
 #include "problems/residuals/start_pose.h"
@@ -101,48 +102,65 @@ std::unique_ptr<TangentCost> ArmProblem::MakeAccelerometer(int knot, int sensor)
   const Preintegrated& interval = Interval(knot, sensor);
   const Recording& recording = observations_.recordings[U(sensor)];
   const double density = 0.5 * Square(recording.noise.accel_density) +
-                         UnmodelledDensity(knot, sensor, unmodelled_[U(sensor)]);
+                         UnmodelledDensity(knot, sensor, unmodelled_[U(sensor)].acceleration);
   const Whitening2 whitening =
       Whitening2::FromCovariance(WhiteAccelerationCovariance(density, interval.duration));
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   const double alpha =
       timeline_.NodeFraction(0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]));
-  TangentCost* cost = nullptr;
-  switch (Chain(sensor).size()) {
-    case 1:
-      cost = MakeCost(Accelerometer<1>(interval, q_BS, alpha, whitening));
-      break;
-    case 2:
-      cost = MakeCost(Accelerometer<2>(interval, q_BS, alpha, whitening));
-      break;
-    case 3:
-      cost = MakeCost(Accelerometer<3>(interval, q_BS, alpha, whitening));
-      break;
-    default:
-      cost = MakeCost(Accelerometer<4>(interval, q_BS, alpha, whitening));
-      break;
-  }
-  return std::unique_ptr<TangentCost>(cost);
+  return std::unique_ptr<TangentCost>(
+      MakeCost(Accelerometer(interval, q_BS, alpha, whitening)));
 }
 
 void ArmProblem::AddAccelerometer(int knot, int sensor) {
   const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
-  const int node = timeline_.NodeBefore(middle), root = RootOf(sensor);
-  const std::vector<int> chain = Chain(sensor);
+  const int node = timeline_.NodeBefore(middle);
+  terms_.push_back({MakeAccelerometer(knot, sensor),
+                    {Attitude(knot, sensor), Place(knot, sensor), Place(knot + 1, sensor),
+                     Velocity(knot, sensor), Velocity(knot + 1, sensor), GyroBias(node, sensor),
+                     GyroBias(node + 1, sensor), Constant(UnknownKind::kAccelBias, sensor),
+                     Constant(UnknownKind::kAccelScale, sensor)},
+                    ResidualKind::kAccelerometer,
+                    sensor,
+                    knot,
+                    knot + 1});
+}
+
+double ArmProblem::KnotSpan(int knot) const {
+  const auto& knots = timeline_.knots;
+  const int before = std::max(knot - 1, 0), after = std::min(knot + 1, timeline_.Intervals());
+  return 0.5 * (knots[U(after)] - knots[U(before)]);
+}
+
+std::unique_ptr<TangentCost> ArmProblem::MakeChain(int knot, int sensor) const {
+  const double sigma = unmodelled_[U(sensor)].quiver *
+                       std::sqrt(2 * options_.unmodelled_correlation_s / KnotSpan(knot));
+  const auto make = [&]() -> TangentCost* {
+    switch (Chain(sensor).size()) {
+      case 1:
+        return MakeCost(SegmentChain<1>(sigma));
+      case 2:
+        return MakeCost(SegmentChain<2>(sigma));
+      case 3:
+        return MakeCost(SegmentChain<3>(sigma));
+      default:
+        return MakeCost(SegmentChain<4>(sigma));
+    }
+  };
+  return std::unique_ptr<TangentCost>(make());
+}
+
+void ArmProblem::AddChain(int knot, int sensor) {
   std::vector<int> unknowns;
-  for (const int at : {knot, knot + 1})
-    for (const int link : chain) unknowns.push_back(Attitude(at, link));
-  unknowns.insert(
-      unknowns.end(),
-      {Root(knot, root), Root(knot + 1, root), Velocity(knot, sensor), Velocity(knot + 1, sensor),
-       GyroBias(node, sensor), GyroBias(node + 1, sensor),
-       Constant(UnknownKind::kAccelBias, sensor), Constant(UnknownKind::kAccelScale, sensor),
-       Constant(UnknownKind::kSensorPosition, sensor)});
+  const std::vector<int> chain = Chain(sensor);
+  for (const int link : chain) unknowns.push_back(Attitude(knot, link));
+  unknowns.insert(unknowns.end(), {Root(knot, RootOf(sensor)), Place(knot, sensor),
+                                   Constant(UnknownKind::kSensorPosition, sensor)});
   for (const int link : chain)
     if (link != sensor) unknowns.push_back(Constant(UnknownKind::kJointVector, link));
-  terms_.push_back({MakeAccelerometer(knot, sensor), std::move(unknowns),
-                    ResidualKind::kAccelerometer, sensor, knot, knot + 1});
+  terms_.push_back({MakeChain(knot, sensor), std::move(unknowns), ResidualKind::kSegmentChain,
+                    sensor, knot, knot});
 }
 
 void ArmProblem::AddElbow() {
@@ -269,11 +287,14 @@ void ArmProblem::AddStart() {
   if (pose.forearm_pronation) add(ElbowAngle::kPronation, *pose.forearm_pronation);
 }
 
-void ArmProblem::SetUnmodelledAcceleration(const std::vector<double>& sigma) {
-  unmodelled_ = sigma;
-  for (Term& term : terms_)
+void ArmProblem::SetUnmodelled(const std::vector<Unmodelled>& unmodelled) {
+  unmodelled_ = unmodelled;
+  for (Term& term : terms_) {
     if (term.kind == ResidualKind::kAccelerometer)
       term.cost = MakeAccelerometer(term.first_knot, term.sensor);
+    if (term.kind == ResidualKind::kSegmentChain)
+      term.cost = MakeChain(term.first_knot, term.sensor);
+  }
 }
 
 void ArmProblem::FixHeading(const Eigen::Quaterniond& q_WB) {

@@ -18,6 +18,7 @@ struct ModelOptions {
   double gyro_scale = 0.0005;
   double accel_scale_sigma = 0.01;
   double unmodelled_acceleration = 0.1;
+  double unmodelled_quiver = 0.001;
   double unmodelled_correlation_s = 0.1;
   double bias_node_spacing_s = 5.0;
 
@@ -46,6 +47,9 @@ struct ModelOptions {
     visit("unmodelled_acceleration", options.unmodelled_acceleration,
           "First guess of the acceleration that the model leaves out [m/s^2]; each sensor's own is "
           "then estimated from its residuals.");
+    visit("unmodelled_quiver", options.unmodelled_quiver,
+          "First guess of how far a sensor quivers about its place on the arm [m]; each sensor's own "
+          "is then estimated from its residuals.");
     visit("unmodelled_correlation_s", options.unmodelled_correlation_s,
           "How long an acceleration that the model leaves out lasts [s].");
     visit("bias_node_spacing_s", options.bias_node_spacing_s,

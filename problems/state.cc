@@ -10,7 +10,7 @@ constexpr int kConstantsPerSensor = 4;
 
 State::State(const StateSize& size) : size_(size) {
   const std::size_t sensors = U(size.sensors);
-  knot_stride_ = 7 * sensors + 3 * U(size.roots) + 1;
+  knot_stride_ = 10 * sensors + 3 * U(size.roots) + 1;
   nodes_begin_ = knot_stride_ * U(size.knots);
   constants_begin_ = nodes_begin_ + 3 * sensors * U(size.nodes);
   x_.assign(constants_begin_ + 3 * kConstantsPerSensor * sensors + 5, 0.0);

@@ -13,6 +13,7 @@ enum class UnknownKind {
   kAttitude,        // q_WB [x y z w]
   kRoot,            // root joint of the arm, or of the thorax, in W [m]
   kVelocity,        // of a sensor in W [m/s]
+  kPlace,           // of a sensor in W [m]
   kAdduction,       // slow deviation of the elbow from its carrying angle [rad]
   kGyroBias,        // at a node, sensor axes [rad/s]
   kAccelBias,       // sensor axes [m/s²]
@@ -42,6 +43,9 @@ class State {
   double* Velocity(int knot, int sensor) {
     return &x_[KnotOffset(knot) + 4 * U(size_.sensors) + 3 * U(size_.roots) + 3 * U(sensor)];
   }
+  double* Place(int knot, int sensor) {
+    return Velocity(knot, size_.sensors) + 3 * U(sensor);
+  }
   double* Adduction(int knot) { return &x_[KnotOffset(knot + 1) - 1]; }
   double* GyroBias(int node, int sensor) {
     return &x_[nodes_begin_ + 3 * (U(node) * U(size_.sensors) + U(sensor))];
@@ -51,6 +55,7 @@ class State {
   const double* Attitude(int knot, int sensor) const { return Mutable().Attitude(knot, sensor); }
   const double* Root(int knot, int root) const { return Mutable().Root(knot, root); }
   const double* Velocity(int knot, int sensor) const { return Mutable().Velocity(knot, sensor); }
+  const double* Place(int knot, int sensor) const { return Mutable().Place(knot, sensor); }
   const double* GyroBias(int node, int sensor) const { return Mutable().GyroBias(node, sensor); }
   const double* Constant(UnknownKind kind, int sensor) const {
     return Mutable().Constant(kind, sensor);

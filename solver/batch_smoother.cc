@@ -106,7 +106,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
                      .threads = options_.threads,
                      .hold_geometry = i < 2},
                     diagnostics);
-    problem.SetUnmodelledAcceleration(AssessCertainty(problem, state).unmodelled_acceleration);
+    problem.SetUnmodelled(AssessCertainty(problem, state).unmodelled);
   }
   if (progress) progress("whole trial", 0.9);
   if (options_.whole_trial)

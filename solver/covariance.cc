@@ -16,10 +16,16 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 // first guess: a short or poorly linked trial keeps it.
 constexpr double kPriorResiduals = 30.0;
 
-// Weighted residuals of one sensor's accelerometer: their squares, their redundancy, how many
-// intervals they stand for and how long those are together [s].
+// No sensor is better than this.
+constexpr double kLeastAcceleration = 1e-3;  // [m/s²]
+constexpr double kLeastQuiver = 1e-5;        // [m]
+
+// Weighted residuals of one kind: their squares, and how many of them the unknowns do not take up.
 struct Spread {
-  double squares = 0.0, redundancy = 0.0, duration = 0.0, count = 0.0;
+  double squares = 0.0, redundancy = 0.0;
+
+  // Estimated over assumed variance.
+  double Ratio() const { return (squares + kPriorResiduals) / (redundancy + kPriorResiduals); }
 };
 
 // r and the trace of J Σ Jᵀ of one term, Σ being the covariance of a front that holds it.
@@ -60,8 +66,6 @@ void AddTerm(const ArmProblem& problem, State& state, const Term& term, const Bl
   }
   spread.squares += r.squaredNorm();
   spread.redundancy += rows - (J * S).cwiseProduct(J).sum();
-  spread.duration += problem.Interval(term.first_knot, term.sensor).duration;
-  spread.count += 1.0;
 }
 
 }  // namespace
@@ -74,7 +78,7 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state) {
   Certainty certainty;
   certainty.singular = elimination.singular();
   certainty.root_sd.assign(U(problem.size().knots), 0.0);
-  std::vector<Spread> spreads(U(problem.size().sensors));
+  std::vector<Spread> accelerations(U(problem.size().sensors)), quivers(accelerations);
   const auto& terms = problem.terms();
   elimination.VisitCovariances([&](int knot, const BlockIndex& index, const MatrixXd& covariance) {
     for (const int unknown : index.unknowns) {
@@ -87,25 +91,25 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state) {
     }
     auto term = std::lower_bound(terms.begin(), terms.end(), knot,
                                  [](const Term& t, int at) { return t.first_knot < at; });
-    for (; term != terms.end() && term->first_knot == knot; ++term)
+    for (; term != terms.end() && term->first_knot == knot; ++term) {
       if (term->kind == ResidualKind::kAccelerometer)
-        AddTerm(problem, state, *term, index, covariance, spreads[U(term->sensor)]);
+        AddTerm(problem, state, *term, index, covariance, accelerations[U(term->sensor)]);
+      if (term->kind == ResidualKind::kSegmentChain)
+        AddTerm(problem, state, *term, index, covariance, quivers[U(term->sensor)]);
+    }
   });
 
   const auto& options = problem.options();
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-    const Spread& spread = spreads[U(sensor)];
     const double white =
         0.5 * std::pow(problem.observations().recordings[U(sensor)].noise.accel_density, 2);
-    const double used = problem.unmodelled_acceleration()[U(sensor)];
-    const double density = white + 2 * options.unmodelled_correlation_s * used * used;
-    const double ratio = (spread.squares + kPriorResiduals) / (spread.redundancy + kPriorResiduals);
-    // What is left out lasts longer than an interval, so its size is what an interval shows; its
-    // weight at lower frequencies then follows from how long it lasts.
-    const double memory = std::min(2 * options.unmodelled_correlation_s,
-                                   spread.duration / std::max(spread.count, 1.0));
-    const double variance = (ratio * density - white) / memory;
-    certainty.unmodelled_acceleration.push_back(std::sqrt(std::max(variance, 1e-6)));
+    const Unmodelled& used = problem.unmodelled()[U(sensor)];
+    const double memory = 2 * options.unmodelled_correlation_s;
+    const double density = white + memory * used.acceleration * used.acceleration;
+    const double variance = (accelerations[U(sensor)].Ratio() * density - white) / memory;
+    certainty.unmodelled.push_back(
+        {std::sqrt(std::max(variance, kLeastAcceleration * kLeastAcceleration)),
+         std::max(std::sqrt(quivers[U(sensor)].Ratio()) * used.quiver, kLeastQuiver)});
   }
   return certainty;
 }

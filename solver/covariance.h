@@ -1,5 +1,5 @@
-// What the information matrix of a solved trial says: how certain each unknown is, and how large
-// the accelerations are that the model leaves out.
+// What the information matrix of a solved trial says: how certain each unknown is, and how much the
+// model leaves out of the sensors' motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ namespace brachium {
 struct Certainty {
   std::map<int, Eigen::VectorXd> constant_sd;   // by unknown: constants and gyro biases, their unit
   std::vector<double> root_sd;                  // of each knot's arm root, largest axis [m]
-  std::vector<double> unmodelled_acceleration;  // of each sensor [m/s²]
+  std::vector<Unmodelled> unmodelled;           // of each sensor
   std::vector<int> singular;                    // unknowns that the information does not determine
 };
 

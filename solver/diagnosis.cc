@@ -111,10 +111,14 @@ std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& 
       constants.push_back({entry->name, {x[0], x[1], x[2]}, {sd[0], sd[1], sd[2]}});
     }
   }
-  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
     constants.push_back({SegmentName(problem, sensor) + ".unmodelled_acceleration_m_s2",
-                         {problem.unmodelled_acceleration()[U(sensor)]},
+                         {problem.unmodelled()[U(sensor)].acceleration},
                          {}});
+    constants.push_back({SegmentName(problem, sensor) + ".unmodelled_quiver_m",
+                         {problem.unmodelled()[U(sensor)].quiver},
+                         {}});
+  }
   return constants;
 }
 

@@ -56,6 +56,19 @@ double HeadingTowards(const Quaterniond& q_target, const Quaterniond& q) {
   return 2 * std::atan2(q_turn.z(), q_turn.w());
 }
 
+// Every sensor where the chain of segments puts it.
+void SetPlaces(const ArmProblem& problem, State& state, int knot) {
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
+    Vector3d p_W = Vector(state.Root(knot, problem.RootOf(sensor)));
+    for (const int link : problem.Chain(sensor)) {
+      const UnknownKind lever =
+          link == sensor ? UnknownKind::kSensorPosition : UnknownKind::kJointVector;
+      p_W += Attitude(state.Attitude(knot, link)) * Vector(state.Constant(lever, link));
+    }
+    Eigen::Map<Vector3d>{state.Place(knot, sensor)} = p_W;
+  }
+}
+
 }  // namespace
 
 void SetFirstKnot(const ArmProblem& problem, State& state) {
@@ -96,6 +109,8 @@ void DeadReckon(const ArmProblem& problem, State& state, int from, int to) {
     }
     for (int root = 0; root < problem.size().roots; ++root)
       std::copy_n(state.Root(knot, root), 3, state.Root(knot + 1, root));
+    if (knot == 0) SetPlaces(problem, state, 0);
+    SetPlaces(problem, state, knot + 1);
   }
 }
 
