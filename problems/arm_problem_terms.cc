@@ -49,6 +49,8 @@ void ArmProblem::AddConstants() {
   };
   for (int sensor = 0; sensor < size_.sensors; ++sensor) {
     const Recording& recording = observations_.recordings[U(sensor)];
+    prior(add(UnknownKind::kGyroScale, sensor), Vector3d::Zero(), options_.gyro_scale_sigma,
+          sensor);
     prior(add(UnknownKind::kAccelBias, sensor), Vector3d::Zero(), recording.noise.accel_bias_sigma,
           sensor);
     prior(add(UnknownKind::kAccelScale, sensor), Vector3d::Zero(), options_.accel_scale_sigma,
@@ -79,16 +81,16 @@ void ArmProblem::AddGyroscope(int knot, int sensor) {
   const Recording& recording = observations_.recordings[U(sensor)];
   const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
   const int node = timeline_.NodeBefore(middle);
-  const double variance =
-      0.5 * Square(recording.noise.gyro_density) * interval.duration +
-      2 * options_.unmodelled_correlation_s * Square(options_.gyro_scale) * interval.rate_squared +
-      interval.gyro_gap_variance;
+  const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
+                          2 * options_.unmodelled_correlation_s *
+                              Square(options_.gyro_scale_wobble) * interval.rate_squared +
+                          interval.gyro_gap_variance;
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   Add(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance)),
       ResidualKind::kGyroscope,
       {Attitude(knot, sensor), Attitude(knot + 1, sensor), GyroBias(node, sensor),
-       GyroBias(node + 1, sensor)},
+       GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor)},
       sensor, knot, knot + 1);
 }
 
@@ -109,22 +111,22 @@ std::unique_ptr<TangentCost> ArmProblem::MakeAccelerometer(int knot, int sensor)
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   const double alpha =
       timeline_.NodeFraction(0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]));
-  return std::unique_ptr<TangentCost>(
-      MakeCost(Accelerometer(interval, q_BS, alpha, whitening)));
+  return std::unique_ptr<TangentCost>(MakeCost(Accelerometer(interval, q_BS, alpha, whitening)));
 }
 
 void ArmProblem::AddAccelerometer(int knot, int sensor) {
   const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
   const int node = timeline_.NodeBefore(middle);
-  terms_.push_back({MakeAccelerometer(knot, sensor),
-                    {Attitude(knot, sensor), Place(knot, sensor), Place(knot + 1, sensor),
-                     Velocity(knot, sensor), Velocity(knot + 1, sensor), GyroBias(node, sensor),
-                     GyroBias(node + 1, sensor), Constant(UnknownKind::kAccelBias, sensor),
-                     Constant(UnknownKind::kAccelScale, sensor)},
-                    ResidualKind::kAccelerometer,
-                    sensor,
-                    knot,
-                    knot + 1});
+  terms_.push_back(
+      {MakeAccelerometer(knot, sensor),
+       {Attitude(knot, sensor), Place(knot, sensor), Place(knot + 1, sensor),
+        Velocity(knot, sensor), Velocity(knot + 1, sensor), GyroBias(node, sensor),
+        GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor),
+        Constant(UnknownKind::kAccelBias, sensor), Constant(UnknownKind::kAccelScale, sensor)},
+       ResidualKind::kAccelerometer,
+       sensor,
+       knot,
+       knot + 1});
 }
 
 double ArmProblem::KnotSpan(int knot) const {

@@ -7,7 +7,7 @@ namespace brachium {
 bool ModelOptions::IsValid(std::string* why) const {
   bool valid = true;
   Visit(*this, [&](const std::string& name, double value, const char*) {
-    if (valid && !(value > 0.0 && std::isfinite(value)) && name != "gyro_scale") {
+    if (valid && !(value > 0.0 && std::isfinite(value)) && name != "gyro_scale_wobble") {
       *why = name + " must be greater than 0";
       valid = false;
     }

@@ -15,7 +15,8 @@ struct ModelOptions {
   double zero_velocity_correlation_s = 0.5;
   double range_of_motion_sigma_deg = 5.0;
   double rest_sway_deg = 0.05;
-  double gyro_scale = 0.0005;
+  double gyro_scale_sigma = 0.003;
+  double gyro_scale_wobble = 0.0005;
   double accel_scale_sigma = 0.01;
   double unmodelled_acceleration = 0.1;
   double unmodelled_quiver = 0.001;
@@ -41,15 +42,19 @@ struct ModelOptions {
           "How softly the elbow's stops give way [deg].");
     visit("rest_sway_deg", options.rest_sway_deg,
           "Least rms turn of a segment to and fro in a rest [deg].");
-    visit("gyro_scale", options.gyro_scale, "Relative scale error left in the gyroscopes [1].");
+    visit("gyro_scale_sigma", options.gyro_scale_sigma,
+          "Relative scale error of each gyroscope axis, estimated [1].");
+    visit("gyro_scale_wobble", options.gyro_scale_wobble,
+          "Relative error of the gyroscopes that is not constant: bent scales, cross-axis [1].");
     visit("accel_scale_sigma", options.accel_scale_sigma,
           "Relative scale error of each accelerometer axis, estimated [1].");
     visit("unmodelled_acceleration", options.unmodelled_acceleration,
           "First guess of the acceleration that the model leaves out [m/s^2]; each sensor's own is "
           "then estimated from its residuals.");
-    visit("unmodelled_quiver", options.unmodelled_quiver,
-          "First guess of how far a sensor quivers about its place on the arm [m]; each sensor's own "
-          "is then estimated from its residuals.");
+    visit(
+        "unmodelled_quiver", options.unmodelled_quiver,
+        "First guess of how far a sensor quivers about its place on the arm [m]; each sensor's own "
+        "is then estimated from its residuals.");
     visit("unmodelled_correlation_s", options.unmodelled_correlation_s,
           "How long an acceleration that the model leaves out lasts [s].");
     visit("bias_node_spacing_s", options.bias_node_spacing_s,

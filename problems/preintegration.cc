@@ -85,17 +85,24 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     const Eigen::Quaterniond dq_half = Exp<double>(half_turn), dq_full = Exp<double>(turn);
     const Eigen::Matrix3d R_m = (sum.dq * dq_half).toRotationMatrix();
 
-    const Eigen::Matrix3d half_dbg =
-        dq_half.conjugate().toRotationMatrix() * sum.dR_dbg - RightJacobian(half_turn) * (h / 2);
-    const Eigen::Matrix3d a_dbg = -R_m * Skew<double>(f) * half_dbg;
+    const Eigen::Matrix3d J_half = RightJacobian(half_turn) * (h / 2);
+    const Eigen::Matrix3d R_half = dq_half.conjugate().toRotationMatrix();
+    const Eigen::Matrix3d a_dphi = -R_m * Skew<double>(f);
+    const Eigen::Matrix3d a_dbg = a_dphi * (R_half * sum.dR_dbg - J_half);
+    const Eigen::Matrix3d a_dsg = a_dphi * (R_half * sum.dR_dsg - J_half * gyr.asDiagonal());
     const Eigen::Matrix3d a_dsa = -R_m * f.asDiagonal();
     sum.dp_dbg += sum.dv_dbg * h + a_dbg * (h * h / 2);
     sum.dv_dbg += a_dbg * h;
+    sum.dp_dsg += sum.dv_dsg * h + a_dsg * (h * h / 2);
+    sum.dv_dsg += a_dsg * h;
     sum.dp_dba += sum.dv_dba * h - R_m * (h * h / 2);
     sum.dv_dba -= R_m * h;
     sum.dp_dsa += sum.dv_dsa * h + a_dsa * (h * h / 2);
     sum.dv_dsa += a_dsa * h;
-    sum.dR_dbg = dq_full.conjugate().toRotationMatrix() * sum.dR_dbg - RightJacobian(turn) * h;
+    const Eigen::Matrix3d J_full = RightJacobian(turn) * h;
+    const Eigen::Matrix3d R_full = dq_full.conjugate().toRotationMatrix();
+    sum.dR_dbg = R_full * sum.dR_dbg - J_full;
+    sum.dR_dsg = R_full * sum.dR_dsg - J_full * gyr.asDiagonal();
 
     sum.dp += sum.dv * h + R_m * (f_m * (h * h / 2) - (wxf + f_slope) * (h * h * h / 12));
     sum.dv += R_m * f_m * h;

@@ -28,9 +28,10 @@ struct Preintegrated {
   Eigen::Vector3d dp = Eigen::Vector3d::Zero();            // [m]
   Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();     // taken off while summing [rad/s]
 
-  // First-order changes with the gyro bias, the accelerometer bias and the accelerometer scale:
-  // dR -> dR Exp(dR_dbg δ), dv -> dv + dv_dbg δ, and so on; f = acc - b_a - s_a∘acc.
-  Eigen::Matrix3d dR_dbg = Eigen::Matrix3d::Zero();
+  // First-order changes with biases and scale errors: dR -> dR Exp(dR_dbg δ), dv -> dv + dv_dbg δ,
+  // and so on; w = gyr - b_g - s_g∘gyr, f = acc - b_a - s_a∘acc.
+  Eigen::Matrix3d dR_dbg = Eigen::Matrix3d::Zero(), dR_dsg = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d dv_dsg = Eigen::Matrix3d::Zero(), dp_dsg = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d dv_dbg = Eigen::Matrix3d::Zero(), dp_dbg = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d dv_dba = Eigen::Matrix3d::Zero(), dp_dba = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d dv_dsa = Eigen::Matrix3d::Zero(), dp_dsa = Eigen::Matrix3d::Zero();

@@ -4,7 +4,7 @@ namespace brachium {
 namespace {
 
 // Constants of a sensor or of its segment, three numbers each, in the order of UnknownKind.
-constexpr int kConstantsPerSensor = 4;
+constexpr int kConstantsPerSensor = 5;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ double* State::Constant(UnknownKind kind, int sensor) {
   const std::size_t end_of_sensors = constants_begin_ + 3 * kConstantsPerSensor * U(size_.sensors);
   if (kind == UnknownKind::kShoulderMean) return &x_[end_of_sensors];
   if (kind == UnknownKind::kCarryingAngle) return &x_[end_of_sensors + 3];
-  const int place = static_cast<int>(kind) - static_cast<int>(UnknownKind::kAccelBias);
+  const int place = static_cast<int>(kind) - static_cast<int>(UnknownKind::kGyroScale);
   return &x_[constants_begin_ + 3 * (kConstantsPerSensor * U(sensor) + U(place))];
 }
 

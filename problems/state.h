@@ -16,6 +16,7 @@ enum class UnknownKind {
   kPlace,           // of a sensor in W [m]
   kAdduction,       // slow deviation of the elbow from its carrying angle [rad]
   kGyroBias,        // at a node, sensor axes [rad/s]
+  kGyroScale,       // per sensor axis [1]
   kAccelBias,       // sensor axes [m/s²]
   kAccelScale,      // per sensor axis [1]
   kSensorPosition,  // p_BS, segment axes [m]
@@ -43,9 +44,7 @@ class State {
   double* Velocity(int knot, int sensor) {
     return &x_[KnotOffset(knot) + 4 * U(size_.sensors) + 3 * U(size_.roots) + 3 * U(sensor)];
   }
-  double* Place(int knot, int sensor) {
-    return Velocity(knot, size_.sensors) + 3 * U(sensor);
-  }
+  double* Place(int knot, int sensor) { return Velocity(knot, size_.sensors) + 3 * U(sensor); }
   double* Adduction(int knot) { return &x_[KnotOffset(knot + 1) - 1]; }
   double* GyroBias(int node, int sensor) {
     return &x_[nodes_begin_ + 3 * (U(node) * U(size_.sensors) + U(sensor))];

@@ -16,9 +16,11 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 // first guess: a short or poorly linked trial keeps it.
 constexpr double kPriorResiduals = 30.0;
 
-// No sensor is better than this.
+// No model of a worn sensor is better than this. A quiver far below the gyroscope's own noise at the
+// end of a lever arm would make fast, tiny vibration outvote slow movement, and since the rates that
+// it is predicted from are noisy themselves, shrink the lever arms.
 constexpr double kLeastAcceleration = 1e-3;  // [m/s²]
-constexpr double kLeastQuiver = 1e-5;        // [m]
+constexpr double kLeastQuiver = 1e-4;        // [m]
 
 // Weighted residuals of one kind: their squares, and how many of them the unknowns do not take up.
 struct Spread {

@@ -30,6 +30,8 @@ std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& 
         SegmentName(problem, unknown.sensor) + "." + name, 1.0, {sigma, sigma, sigma}};
   };
   switch (unknown.kind) {
+    case UnknownKind::kGyroScale:
+      return named("gyroscope_scale", problem.options().gyro_scale_sigma);
     case UnknownKind::kAccelBias:
       return named("accelerometer_bias_m_s2",
                    observations.recordings[U(unknown.sensor)].noise.accel_bias_sigma);

@@ -33,7 +33,8 @@ Vector3d BiasAt(const ArmProblem& problem, const State& state, int knot, int sen
 Quaterniond Turn(const ArmProblem& problem, const State& state, int knot, int sensor) {
   const Preintegrated& interval = problem.Interval(knot, sensor);
   return interval.dq *
-         Exp<double>(interval.dR_dbg * (BiasAt(problem, state, knot, sensor) - interval.gyro_bias));
+         Exp<double>(interval.dR_dbg * (BiasAt(problem, state, knot, sensor) - interval.gyro_bias) +
+                     interval.dR_dsg * Vector(state.Constant(UnknownKind::kGyroScale, sensor)));
 }
 
 // The vertical in sensor axes at the first knot: specific force of the first seconds, turned back.

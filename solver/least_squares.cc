@@ -10,8 +10,8 @@ namespace {
 constexpr double kStartTrustRegion = 1e8;
 
 bool IsGeometry(UnknownKind kind) {
-  return kind == UnknownKind::kAccelScale || kind == UnknownKind::kSensorPosition ||
-         kind == UnknownKind::kJointVector;
+  return kind == UnknownKind::kAccelScale || kind == UnknownKind::kGyroScale ||
+         kind == UnknownKind::kSensorPosition || kind == UnknownKind::kJointVector;
 }
 
 }  // namespace

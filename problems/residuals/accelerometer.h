@@ -6,8 +6,8 @@
 //
 // Frames    W world (z up, g = (0, 0, -9.81)), B the segment that wears the sensor, S sensor.
 // Unknowns  q_WB at k; P_k, P_k+1, v_k, v_k+1: place [m] and velocity [m/s] of the sensor in W; gyro
-//           bias at the two nodes about the interval [rad/s]; accelerometer bias a [m/s²] and
-//           scale s [1].
+//           bias at the two nodes about the interval [rad/s]; accelerometer bias a [m/s²]; scale
+//           errors s of gyroscope and accelerometer [1].
 // Weight    C = covariance of (dv, dp) on one axis; their correlation (0.87 for white noise) is kept.
 // Jacobian  with u_v, u_p the brackets above in W and ŵ = R_BW u: ∂r/∂φ = R_SB [ŵ]x; the samples'
 //           corrections are linear (preintegration.h); all else is ± R_SW.
@@ -26,8 +26,8 @@ namespace brachium {
 class Accelerometer {
  public:
   static constexpr int kResiduals = 6;
-  // q_WB, P_k, P_k+1, v_k, v_k+1, gyro biases, accelerometer bias, scale
-  using Blocks = std::integer_sequence<int, 4, 3, 3, 3, 3, 3, 3, 3, 3>;
+  // q_WB, P_k, P_k+1, v_k, v_k+1, gyro biases and scale, accelerometer bias and scale
+  using Blocks = std::integer_sequence<int, 4, 3, 3, 3, 3, 3, 3, 3, 3, 3>;
 
   // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1.
   Accelerometer(const Preintegrated& interval, const Eigen::Quaterniond& q_BS, double alpha,
@@ -45,13 +45,13 @@ class Accelerometer {
     const Eigen::Quaternion<T> q_SW = (q_WB * q_BS_.cast<T>()).conjugate();
     const Vector3T<T> bias = T(1 - alpha_) * Vector<T>(x[5]) + T(alpha_) * Vector<T>(x[6]) -
                              interval_.gyro_bias.cast<T>();
-    const auto a = Vector<T>(x[7]), s = Vector<T>(x[8]);
+    const auto s_g = Vector<T>(x[7]), a = Vector<T>(x[8]), s_a = Vector<T>(x[9]);
     const Vector3T<T> r_v = q_SW * u_v - interval_.dv.cast<T>() -
-                            interval_.dv_dbg.cast<T>() * bias - interval_.dv_dba.cast<T>() * a -
-                            interval_.dv_dsa.cast<T>() * s;
+                            interval_.dv_dbg.cast<T>() * bias - interval_.dv_dsg.cast<T>() * s_g -
+                            interval_.dv_dba.cast<T>() * a - interval_.dv_dsa.cast<T>() * s_a;
     const Vector3T<T> r_p = q_SW * u_p - interval_.dp.cast<T>() -
-                            interval_.dp_dbg.cast<T>() * bias - interval_.dp_dba.cast<T>() * a -
-                            interval_.dp_dsa.cast<T>() * s;
+                            interval_.dp_dbg.cast<T>() * bias - interval_.dp_dsg.cast<T>() * s_g -
+                            interval_.dp_dba.cast<T>() * a - interval_.dp_dsa.cast<T>() * s_a;
     whitening_.Apply(r_v, r_p, r);
   }
 
@@ -72,8 +72,9 @@ class Accelerometer {
     Store(J[4], R_SW, zero);
     Store(J[5], (alpha_ - 1) * interval_.dv_dbg, (alpha_ - 1) * interval_.dp_dbg);
     Store(J[6], -alpha_ * interval_.dv_dbg, -alpha_ * interval_.dp_dbg);
-    Store(J[7], -interval_.dv_dba, -interval_.dp_dba);
-    Store(J[8], -interval_.dv_dsa, -interval_.dp_dsa);
+    Store(J[7], -interval_.dv_dsg, -interval_.dp_dsg);
+    Store(J[8], -interval_.dv_dba, -interval_.dp_dba);
+    Store(J[9], -interval_.dv_dsa, -interval_.dp_dsa);
   }
 
  private:
