@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/elimination.h"
 
 namespace brachium {
 namespace {
-
-using Eigen::MatrixXd, Eigen::VectorXd;
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
@@ -22,79 +21,84 @@ struct Spread {
   double squares = 0.0, redundancy = 0.0, duration = 0.0, count = 0.0;
 };
 
-// r and the trace of J Σ Jᵀ of one term, Σ being the covariance of a front that holds it.
-void AddTerm(const ArmProblem& problem, State& state, const Term& term, const BlockIndex& index,
-             const MatrixXd& covariance, Spread& spread) {
-  const int rows = term.cost->num_residuals();
-  std::vector<const double*> values;
-  std::vector<int> offsets, sizes;
-  int columns = 0;
-  for (const int unknown : term.unknowns) {
-    values.push_back(problem.Value(state, unknown));
-    sizes.push_back(problem.Describe(unknown).Tangent());
-    offsets.push_back(index.OffsetOf(unknown));
-    columns += sizes.back();
-  }
-  std::vector<double> memory(U(rows * columns));
-  std::vector<double*> jacobians;
-  int place = 0;
-  for (const int size : sizes) {
-    jacobians.push_back(memory.data() + place);
-    place += rows * size;
-  }
-  VectorXd r(rows);
-  term.cost->EvaluateTangent(values.data(), r.data(), jacobians.data());
-  MatrixXd J(rows, columns), S(columns, columns);
-  int at = 0;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    J.middleCols(at, sizes[i]) =
-        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-            jacobians[i], rows, sizes[i]);
-    int to = 0;
-    for (std::size_t j = 0; j < sizes.size(); ++j) {
-      S.block(at, to, sizes[i], sizes[j]) =
-          covariance.block(offsets[i], offsets[j], sizes[i], sizes[j]);
-      to += sizes[j];
+// Adds up what terms say of their sensor.
+class Spreads {
+ public:
+  Spreads(const ArmProblem& problem, State& state)
+      : problem_(problem), state_(state), spreads_(U(problem.size().sensors)) {}
+
+  // r and the trace of J Σ Jᵀ = <JᵀJ, Σ> of one term, Σ being the covariance of a front that holds
+  // it.
+  void Add(const Term& term, const BlockIndex& index, const CovarianceView& covariance) {
+    blocks_.clear();
+    int columns = 0;
+    for (const int unknown : term.unknowns) {
+      const int tangent = problem_.Describe(unknown).Tangent();
+      blocks_.push_back(
+          {problem_.Value(state_, unknown), -1, tangent, columns, index.OffsetOf(unknown)});
+      columns += tangent;
     }
-    at += sizes[i];
+    const int rows = term.cost->num_residuals();
+    square_.Reserve(rows, static_cast<int>(blocks_.size()), columns);
+    square_.Linearise(*term.cost, term.loss.get(), blocks_, columns);
+    const int* place = square_.PlacesInFront();
+    double trace = 0.0;
+    for (int column = 0; column < columns; ++column) {
+      const double* JtJ = square_.Column(column);
+      const double* sigma = covariance.data() + place[column] * covariance.outerStride();
+      double below = 0.0;
+      for (int row = column + 1; row < columns; ++row) below += JtJ[row] * sigma[place[row]];
+      trace += JtJ[column] * sigma[place[column]] + 2 * below;
+    }
+    Spread& spread = spreads_[U(term.sensor)];
+    spread.squares += square_.Column(columns)[columns];
+    spread.redundancy += rows - trace;
+    spread.duration += problem_.Interval(term.first_knot, term.sensor).duration;
+    spread.count += 1.0;
   }
-  spread.squares += r.squaredNorm();
-  spread.redundancy += rows - (J * S).cwiseProduct(J).sum();
-  spread.duration += problem.Interval(term.first_knot, term.sensor).duration;
-  spread.count += 1.0;
-}
+
+  const Spread& Of(int sensor) const { return spreads_[U(sensor)]; }
+
+ private:
+  const ArmProblem& problem_;
+  State& state_;
+  std::vector<Spread> spreads_;
+  std::vector<TermBlock> blocks_;
+  TermSquare square_;
+};
 
 }  // namespace
 
-Certainty AssessCertainty(const ArmProblem& problem, State& state) {
-  Elimination::Workspace workspace;
+Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspace* workspace) {
+  std::optional<ChainWorkspace> own;
+  if (workspace == nullptr) workspace = &own.emplace(problem);
   const int past_end = problem.size().knots;
-  const Elimination elimination(problem, state, {}, 0, past_end, true, workspace);
+  const Elimination elimination(problem, state, {}, 0, past_end, *workspace);
 
   Certainty certainty;
   certainty.singular = elimination.singular();
   certainty.root_sd.assign(U(problem.size().knots), 0.0);
-  std::vector<Spread> spreads(U(problem.size().sensors));
+  Spreads spreads(problem, state);
   const auto& terms = problem.terms();
-  elimination.VisitCovariances([&](int knot, const BlockIndex& index, const MatrixXd& covariance) {
-    for (const int unknown : index.unknowns) {
-      const Unknown u = problem.Describe(unknown);
-      const auto variance = covariance.diagonal().segment(index.OffsetOf(unknown), u.Tangent());
-      if (u.place < 0 || u.kind == UnknownKind::kGyroBias)
-        certainty.constant_sd.try_emplace(unknown, variance.cwiseSqrt());
-      if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
-        certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
-    }
-    auto term = std::lower_bound(terms.begin(), terms.end(), knot,
-                                 [](const Term& t, int at) { return t.first_knot < at; });
-    for (; term != terms.end() && term->first_knot == knot; ++term)
-      if (term->kind == ResidualKind::kAccelerometer)
-        AddTerm(problem, state, *term, index, covariance, spreads[U(term->sensor)]);
-  });
+  elimination.VisitCovariances(
+      [&](int knot, const BlockIndex& index, const CovarianceView& covariance) {
+        for (const int unknown : index.unknowns) {
+          const Unknown u = problem.Describe(unknown);
+          const auto variance = covariance.diagonal().segment(index.OffsetOf(unknown), u.Tangent());
+          if (u.place < 0 || u.kind == UnknownKind::kGyroBias)
+            certainty.constant_sd.try_emplace(unknown, variance.cwiseSqrt());
+          if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
+            certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
+        }
+        auto term = std::lower_bound(terms.begin(), terms.end(), knot,
+                                     [](const Term& t, int at) { return t.first_knot < at; });
+        for (; term != terms.end() && term->first_knot == knot; ++term)
+          if (term->kind == ResidualKind::kAccelerometer) spreads.Add(*term, index, covariance);
+      });
 
   const auto& options = problem.options();
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-    const Spread& spread = spreads[U(sensor)];
+    const Spread& spread = spreads.Of(sensor);
     const double white =
         0.5 * std::pow(problem.observations().recordings[U(sensor)].noise.accel_density, 2);
     const double used = problem.unmodelled_acceleration()[U(sensor)];
