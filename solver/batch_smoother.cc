@@ -110,7 +110,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     SolveWholeTrial(problem, state,
                     {.solver = solver,
                      .most_iterations = 20,
-                     .step_in_sd = 1e-2,
+                     .step_in_sd = 0.1,
                      .threads = options_.threads,
                      .hold_geometry = i < 2},
                     workspace, diagnostics);

@@ -8,12 +8,17 @@
 namespace brachium {
 namespace {
 
-constexpr double kStartDamping = 1e-8;
-constexpr double kLeastDamping = 1e-16;
+// The least is what a search begins with: more would hold weakly determined directions back.
+constexpr double kLeastDamping = 1e-12;
+constexpr double kNoDamping = 1e-11;  // up to here steps are Gauss-Newton's
 constexpr double kMostDamping = 1e16;
-constexpr double kRefusedDamping =
-    1e-6;                            // at least, where a step was refused: less changes nothing
-constexpr double kLeastGain = 1e-3;  // of the foretold decrease that a step must bring
+constexpr double kMoreDamping = 100.0, kLessDamping = 0.1;  // after a step refused, or taken
+
+// Gains: how much of the foretold decrease a step brings.
+constexpr double kFairGain = 0.25;   // below this it went too far
+constexpr double kLeastGain = 1e-3;  // that is taken for one
+constexpr double kShortest = 0.08;   // share of a step worth a try; else damping serves better
+
 // A decrease below this share of the cost drowns in its rounding errors.
 constexpr double kRounding = 1e-14;
 
@@ -40,14 +45,18 @@ class Values {
     }
   }
 
-  void Move(const std::vector<double>& step) const {
+  // To the saved values and `share` of the step.
+  void Set(const std::vector<double>& step, double share) const {
+    Restore();
     for (const auto& variable : plan_.variables()) {
       if (variable.tangent == 0) continue;
       const double* d = &step[static_cast<std::size_t>(variable.column)];
-      if (variable.size == 4)
-        RotationManifold().Plus(variable.value, d, variable.value);
-      else
-        for (int i = 0; i < variable.size; ++i) variable.value[i] += d[i];
+      if (variable.size == 4) {
+        const double turn[3] = {share * d[0], share * d[1], share * d[2]};
+        RotationManifold().Plus(variable.value, turn, variable.value);
+      } else {
+        for (int i = 0; i < variable.size; ++i) variable.value[i] += share * d[i];
+      }
     }
   }
 
@@ -73,14 +82,14 @@ class Descent {
         continue;
       }
       const double foretold = sweep_.Step(plan_, step_);
-      if (here_.length_2 <= options_.step_in_sd * options_.step_in_sd &&
-          damping_ <= kStartDamping) {
-        values_.Move(step_);
+      if (here_.length_2 <= options_.step_in_sd * options_.step_in_sd && damping_ <= kNoDamping) {
+        values_.Set(step_, 1.0);
         here_.cost -= foretold;
         return Ended(true, "The step is small against the standard deviations.");
       }
       ++summary_.iterations;
       if (Try(foretold)) continue;
+      values_.Restore();
       if (foretold < kRounding * here_.cost)
         return Ended(true, "The cost does not fall any further in double precision.");
       Refuse();
@@ -89,25 +98,32 @@ class Descent {
   }
 
  private:
-  // Takes the step if the cost falls as it should; else leaves all values as they were.
+  // Takes the step, or the share of it that the parabola through the costs asks for, if the cost
+  // falls.
   bool Try(double foretold) {
-    values_.Move(step_);
-    const double less = std::max(damping_ / 3, kLeastDamping);
-    const FrontSweep::Sums there = sweep_.Run(plan_, less);
-    if (!there.IsFinite() || !(here_.cost - there.cost > kLeastGain * foretold)) {
-      values_.Restore();
-      return false;
-    }
+    const double gain = Gain(1.0, std::max(kLessDamping * damping_, kLeastDamping), foretold);
+    if (gain >= kFairGain) return Take();
+    const double share = 1 / (2 - gain);
+    return share > kShortest && Gain(share, damping_, foretold) >= kLeastGain && Take();
+  }
+
+  // How much of the foretold decrease a share of the step brings, linearised there.
+  double Gain(double share, double damping, double foretold) {
+    values_.Set(step_, share);
+    there_ = sweep_.Run(plan_, damping);
+    damping_there_ = damping;
+    return there_.IsFinite() ? (here_.cost - there_.cost) / foretold : -HUGE_VAL;
+  }
+
+  bool Take() {
     values_.Save();
-    here_ = there;
-    damping_ = less;
-    growth_ = 2.0;
+    here_ = there_;
+    damping_ = damping_there_;
     return true;
   }
 
   void Refuse() {
-    damping_ = std::max(growth_ * damping_, kRefusedDamping);
-    growth_ *= 2.0;
+    damping_ *= kMoreDamping;
     here_ = sweep_.Run(plan_, damping_);
   }
 
@@ -123,8 +139,8 @@ class Descent {
   FrontSweep& sweep_;
   const SolveOptions& options_;
   Values values_;
-  FrontSweep::Sums here_;  // of the values that stand
-  double damping_ = kStartDamping, growth_ = 2.0;
+  FrontSweep::Sums here_, there_;  // of the values that stand, and of those that are tried
+  double damping_ = kLeastDamping, damping_there_ = 0.0;
   std::vector<double> step_;
   SolveSummary summary_;
 };

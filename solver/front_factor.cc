@@ -186,7 +186,8 @@ void ExtendCovariance(const double* L, int stride, int columns, int pivots, doub
   for (int k = 0; k < pivots; ++k) std::copy_n(X + k * stride, pivots, Z + k * stride);
   for (int k = 0; k < pivots; ++k) {
     double* column = S + k * stride;
-    for (int m = 0; m < pivots; ++m) column[m] = Dot(X + m * stride, Z + k * stride, 0, stride);
+    for (int m = 0; m <= k; ++m)
+      column[m] = S[m * stride + k] = Dot(X + m * stride, Z + k * stride, 0, stride);
     for (int row = pivots; row < columns; ++row)
       column[row] = S[row * stride + k] = -Z[k * stride + row];
     std::fill(column + columns, column + stride, 0.0);

@@ -10,7 +10,7 @@ namespace {
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
-// A pivot that loses this many digits against its diagonal is not determined.
+// A pivot that loses this many digits against the diagonal of JᵀJ is not determined.
 constexpr double kSingular = 1e-13;
 
 // The diagonal that damping multiplies is kept away from nothing and from infinity.
@@ -108,8 +108,8 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
 int FrontSweep::Eliminate(const FrontPlan::Front& front) {
   const int stride = front.Stride();
   for (int k = 0; k < front.eliminated; ++k) {
-    double& diagonal = front_[U(k * stride + k)];
-    diagonal += damping_ * Clamped(diagonal_[U(front.first_column + k)]);
+    const double diagonal = diagonal_[U(front.first_column + k)];
+    front_[U(k * stride + k)] += damping_ * Clamped(diagonal);
     least_[U(k)] = kSingular * std::max(diagonal, 1e-9);
   }
   const int raised =

@@ -16,7 +16,7 @@ constexpr double kDistinct = 20 * kDegree;
 constexpr double kLongestSettling = 80.0;  // [s]
 
 // Windows need not be solved to the last digit: the whole trial follows.
-constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 1e-2};
+constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 0.1};
 
 // Lever arms that may flip would let a wrong heading explain everything.
 constexpr SolveOptions kSettlingSolve{
