@@ -4,6 +4,8 @@
 // order: everything before a knot, a window, or all of it.
 #pragma once
 
+#include <ceres/loss_function.h>
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -53,6 +55,8 @@ struct Term {
   int sensor = -1;     // whose samples, or -1
   int first_knot = 0;  // at whose elimination the term is used up
   int last_knot = 0;   // at which the term enters
+  // Bounds what outliers say: ½ ρ(|r|²) stands for ½ |r|². None: all is believed. Terms may share it.
+  std::shared_ptr<ceres::LossFunction> loss = nullptr;
 };
 
 // What the model leaves out of one sensor's motion: both last for unmodelled_correlation_s.

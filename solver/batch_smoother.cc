@@ -35,13 +35,14 @@ Observations ProximalToDistal(Observations observations) {
 
 // The whole trial to convergence.
 void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions& options,
-                     Diagnostics& diagnostics) {
-  const auto summary = Solve(problem, state, {}, 0, problem.size().knots - 1, options);
+                     ChainWorkspace& workspace, Diagnostics& diagnostics) {
+  const SolveSummary summary =
+      Solve(problem, state, {}, 0, problem.size().knots - 1, options, &workspace);
   if (diagnostics.iterations == 0) diagnostics.initial_cost = summary.initial_cost;
-  diagnostics.iterations += static_cast<int>(summary.iterations.size()) - 1;
+  diagnostics.iterations += summary.iterations;
   diagnostics.final_cost = summary.final_cost;
-  diagnostics.gradient_norm = summary.iterations.back().gradient_max_norm;
-  diagnostics.converged = summary.termination_type == ceres::CONVERGENCE;
+  diagnostics.gradient_norm = summary.gradient_norm;
+  diagnostics.converged = summary.converged;
   diagnostics.termination = summary.message;
 }
 
@@ -53,6 +54,7 @@ bool SmootherOptions::IsValid(std::string* why) const {
   if (!(window_advance_s > 0.0 && window_advance_s <= window_s))
     return *why = "window_advance_s must be greater than 0 and at most window_s", false;
   if (weight_iterations < 0) return *why = "weight_iterations must not be negative", false;
+  if (!SolverNamed(solver)) return *why = "solver must be chain or ceres", false;
   if (threads < 1) return *why = "threads must be at least 1", false;
   return model.IsValid(why);
 }
@@ -90,29 +92,37 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   ArmProblem problem(ProximalToDistal(observations), options_.model, options_.knot_spacing_s);
   stage("preintegration");
 
+  const SolverKind solver = SolverNamed(options_.solver).value();
   State state = problem.PriorState();
-  const WindowReport windows =
-      SolveForward(problem, state,
-                   {options_.window_s, options_.window_advance_s, options_.whole_trial}, progress);
+  const WindowReport windows = SolveForward(problem, state,
+                                            {.length = options_.window_s,
+                                             .advance = options_.window_advance_s,
+                                             .hold_geometry = options_.whole_trial,
+                                             .solver = solver},
+                                            progress);
   stage("windows");
 
   // The weights first, with lever arms and scales as told: free ones would absorb what the model
   // leaves out, and the weights would confirm them.
+  ChainWorkspace workspace(problem);
   for (int i = 0; i < options_.weight_iterations && options_.whole_trial; ++i) {
     if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
     SolveWholeTrial(problem, state,
-                    {.most_iterations = 20,
-                     .function_tolerance = 1e-6,
+                    {.solver = solver,
+                     .most_iterations = 20,
+                     .step_in_sd = 0.1,
                      .threads = options_.threads,
                      .hold_geometry = i < 2},
-                    diagnostics);
-    problem.SetUnmodelled(AssessCertainty(problem, state).unmodelled);
+                    workspace, diagnostics);
+    problem.SetUnmodelled(AssessCertainty(problem, state, &workspace).unmodelled);
   }
   if (progress) progress("whole trial", 0.9);
   if (options_.whole_trial)
-    SolveWholeTrial(problem, state, {.most_iterations = 100, .threads = options_.threads},
-                    diagnostics);
-  const Certainty certainty = AssessCertainty(problem, state);
+    SolveWholeTrial(
+        problem, state,
+        {.solver = solver, .most_iterations = 100, .step_in_sd = 1e-4, .threads = options_.threads},
+        workspace, diagnostics);
+  const Certainty certainty = AssessCertainty(problem, state, &workspace);
   stage("whole trial");
 
   FillTrajectory(problem, state, estimate);

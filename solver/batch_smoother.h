@@ -15,6 +15,7 @@ struct SmootherOptions {
   double window_s = 5.0;
   double window_advance_s = 2.5;
   int weight_iterations = 3;
+  std::string solver = "chain";
   int threads = 1;
   ModelOptions model;
 
@@ -35,8 +36,12 @@ struct SmootherOptions {
     visit("weight_iterations", options.weight_iterations,
           "How often the accelerometers' weights are estimated from the residuals and the trial "
           "solved again. 0 keeps the first guess.");
+    visit("solver", options.solver,
+          "What finds the minimum: chain, which eliminates along time, or ceres, which is slower "
+          "and checks it.");
     visit("threads", options.threads,
-          "Threads of one solve. The answer depends on their number in the last digits.");
+          "Threads of one solve by ceres; the chain takes one. The answer depends on their number "
+          "in the last digits.");
     ModelOptions::Visit(options.model, visit);
   }
 };

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/elimination.h"
 
 namespace brachium {
 namespace {
-
-using Eigen::MatrixXd, Eigen::VectorXd;
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
@@ -30,76 +29,90 @@ struct Spread {
   double Ratio() const { return (squares + kPriorResiduals) / (redundancy + kPriorResiduals); }
 };
 
-// r and the trace of J Σ Jᵀ of one term, Σ being the covariance of a front that holds it.
-void AddTerm(const ArmProblem& problem, State& state, const Term& term, const BlockIndex& index,
-             const MatrixXd& covariance, Spread& spread) {
-  const int rows = term.cost->num_residuals();
-  std::vector<const double*> values;
-  std::vector<int> offsets, sizes;
-  int columns = 0;
-  for (const int unknown : term.unknowns) {
-    values.push_back(problem.Value(state, unknown));
-    sizes.push_back(problem.Describe(unknown).Tangent());
-    offsets.push_back(index.OffsetOf(unknown));
-    columns += sizes.back();
+// Adds up what accelerometers and chain say of each sensor.
+class Spreads {
+ public:
+  Spreads(const ArmProblem& problem, State& state)
+      : problem_(problem),
+        state_(state),
+        accelerations_(U(problem.size().sensors)),
+        quivers_(accelerations_) {}
+
+  static bool Counts(const Term& term) {
+    return term.kind == ResidualKind::kAccelerometer || term.kind == ResidualKind::kSegmentChain;
   }
-  std::vector<double> memory(U(rows * columns));
-  std::vector<double*> jacobians;
-  int place = 0;
-  for (const int size : sizes) {
-    jacobians.push_back(memory.data() + place);
-    place += rows * size;
-  }
-  VectorXd r(rows);
-  term.cost->EvaluateTangent(values.data(), r.data(), jacobians.data());
-  MatrixXd J(rows, columns), S(columns, columns);
-  int at = 0;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    J.middleCols(at, sizes[i]) =
-        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-            jacobians[i], rows, sizes[i]);
-    int to = 0;
-    for (std::size_t j = 0; j < sizes.size(); ++j) {
-      S.block(at, to, sizes[i], sizes[j]) =
-          covariance.block(offsets[i], offsets[j], sizes[i], sizes[j]);
-      to += sizes[j];
+
+  // Of a term that counts: r and the trace of J Σ Jᵀ = <JᵀJ, Σ> of one term, Σ being the covariance of a front that holds
+  // it.
+  void Add(const Term& term, const BlockIndex& index, const CovarianceView& covariance) {
+    blocks_.clear();
+    int columns = 0;
+    for (const int unknown : term.unknowns) {
+      const int tangent = problem_.Describe(unknown).Tangent();
+      blocks_.push_back(
+          {problem_.Value(state_, unknown), -1, tangent, columns, index.OffsetOf(unknown)});
+      columns += tangent;
     }
-    at += sizes[i];
+    const int rows = term.cost->num_residuals();
+    square_.Reserve(rows, static_cast<int>(blocks_.size()), columns);
+    square_.Linearise(*term.cost, term.loss.get(), blocks_, columns);
+    const int* place = square_.PlacesInFront();
+    double trace = 0.0;
+    for (int column = 0; column < columns; ++column) {
+      const double* JtJ = square_.Column(column);
+      const double* sigma = covariance.data() + place[column] * covariance.outerStride();
+      double below = 0.0;
+      for (int row = column + 1; row < columns; ++row) below += JtJ[row] * sigma[place[row]];
+      trace += JtJ[column] * sigma[place[column]] + 2 * below;
+    }
+    Spread& spread = SpreadOf(term);
+    spread.squares += square_.Column(columns)[columns];
+    spread.redundancy += rows - trace;
   }
-  spread.squares += r.squaredNorm();
-  spread.redundancy += rows - (J * S).cwiseProduct(J).sum();
-}
+
+  const Spread& Acceleration(int sensor) const { return accelerations_[U(sensor)]; }
+  const Spread& Quiver(int sensor) const { return quivers_[U(sensor)]; }
+
+ private:
+  Spread& SpreadOf(const Term& term) {
+    return (term.kind == ResidualKind::kAccelerometer ? accelerations_ : quivers_)[U(term.sensor)];
+  }
+
+  const ArmProblem& problem_;
+  State& state_;
+  std::vector<Spread> accelerations_, quivers_;
+  std::vector<TermBlock> blocks_;
+  TermSquare square_;
+};
 
 }  // namespace
 
-Certainty AssessCertainty(const ArmProblem& problem, State& state) {
-  Elimination::Workspace workspace;
+Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspace* workspace) {
+  std::optional<ChainWorkspace> own;
+  if (workspace == nullptr) workspace = &own.emplace(problem);
   const int past_end = problem.size().knots;
-  const Elimination elimination(problem, state, {}, 0, past_end, true, workspace);
+  const Elimination elimination(problem, state, {}, 0, past_end, *workspace);
 
   Certainty certainty;
   certainty.singular = elimination.singular();
   certainty.root_sd.assign(U(problem.size().knots), 0.0);
-  std::vector<Spread> accelerations(U(problem.size().sensors)), quivers(accelerations);
+  Spreads spreads(problem, state);
   const auto& terms = problem.terms();
-  elimination.VisitCovariances([&](int knot, const BlockIndex& index, const MatrixXd& covariance) {
-    for (const int unknown : index.unknowns) {
-      const Unknown u = problem.Describe(unknown);
-      const auto variance = covariance.diagonal().segment(index.OffsetOf(unknown), u.Tangent());
-      if (u.place < 0 || u.kind == UnknownKind::kGyroBias)
-        certainty.constant_sd.try_emplace(unknown, variance.cwiseSqrt());
-      if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
-        certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
-    }
-    auto term = std::lower_bound(terms.begin(), terms.end(), knot,
-                                 [](const Term& t, int at) { return t.first_knot < at; });
-    for (; term != terms.end() && term->first_knot == knot; ++term) {
-      if (term->kind == ResidualKind::kAccelerometer)
-        AddTerm(problem, state, *term, index, covariance, accelerations[U(term->sensor)]);
-      if (term->kind == ResidualKind::kSegmentChain)
-        AddTerm(problem, state, *term, index, covariance, quivers[U(term->sensor)]);
-    }
-  });
+  elimination.VisitCovariances(
+      [&](int knot, const BlockIndex& index, const CovarianceView& covariance) {
+        for (const int unknown : index.unknowns) {
+          const Unknown u = problem.Describe(unknown);
+          const auto variance = covariance.diagonal().segment(index.OffsetOf(unknown), u.Tangent());
+          if (u.place < 0 || u.kind == UnknownKind::kGyroBias)
+            certainty.constant_sd.try_emplace(unknown, variance.cwiseSqrt());
+          if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
+            certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
+        }
+        auto term = std::lower_bound(terms.begin(), terms.end(), knot,
+                                     [](const Term& t, int at) { return t.first_knot < at; });
+        for (; term != terms.end() && term->first_knot == knot; ++term)
+          if (Spreads::Counts(*term)) spreads.Add(*term, index, covariance);
+      });
 
   const auto& options = problem.options();
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
@@ -108,10 +121,10 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state) {
     const Unmodelled& used = problem.unmodelled()[U(sensor)];
     const double memory = 2 * options.unmodelled_correlation_s;
     const double density = white + memory * used.acceleration * used.acceleration;
-    const double variance = (accelerations[U(sensor)].Ratio() * density - white) / memory;
+    const double variance = (spreads.Acceleration(sensor).Ratio() * density - white) / memory;
     certainty.unmodelled.push_back(
         {std::sqrt(std::max(variance, kLeastAcceleration * kLeastAcceleration)),
-         std::max(std::sqrt(quivers[U(sensor)].Ratio()) * used.quiver, kLeastQuiver)});
+         std::max(std::sqrt(spreads.Quiver(sensor).Ratio()) * used.quiver, kLeastQuiver)});
   }
   return certainty;
 }

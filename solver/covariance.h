@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problems/arm_problem.h"
+#include "solver/front_sweep.h"
 
 namespace brachium {
 
@@ -17,7 +18,8 @@ struct Certainty {
   std::vector<int> singular;                   // unknowns that the information does not determine
 };
 
-// Linearises the trial at `state`. Cost and memory are linear in its length.
-Certainty AssessCertainty(const ArmProblem& problem, State& state);
+// Linearises the trial at `state`. Cost and memory are linear in its length; `workspace` as in Solve().
+Certainty AssessCertainty(const ArmProblem& problem, State& state,
+                          ChainWorkspace* workspace = nullptr);
 
 }  // namespace brachium

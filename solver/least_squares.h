@@ -1,24 +1,44 @@
-// A stretch of a trial as a Ceres problem: the one place where terms meet `ceres::Problem`.
+// A stretch of a trial as a least-squares problem, and what solves it.
 #pragma once
 
-#include <ceres/ceres.h>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "problems/arm_problem.h"
-#include "solver/elimination.h"
+#include "solver/front_sweep.h"
 
 namespace brachium {
 
+enum class SolverKind {
+  kChain,  // Levenberg-Marquardt on the block elimination along time (chain_solver.h)
+  kCeres,  // the same objective by Ceres: slower, the reference
+};
+std::optional<SolverKind> SolverNamed(std::string_view name);  // "chain", "ceres"
+
 struct SolveOptions {
+  SolverKind solver = SolverKind::kChain;
   int most_iterations = 50;
-  double function_tolerance = 0.0;  // relative change of cost that ends the search
-  double step_tolerance = 1e-9;     // relative size of the step that ends it
-  int threads = 1;
+  // The search ends with a step that moves no linear combination of the unknowns by more than this
+  // share of its standard deviation. Smaller: closer to the minimum, more iterations.
+  double step_in_sd = 1e-4;
+  int threads = 1;             // of Ceres; the chain takes one
   bool hold_geometry = false;  // keep scales, lever arms and joint vectors as they are
 };
 
+struct SolveSummary {
+  int iterations = 0;  // steps tried
+  double initial_cost = 0.0, final_cost = 0.0;
+  double gradient_norm = 0.0;  // largest component at the last linearisation
+  bool converged = false;
+  std::string message;
+};
+
 // Minimises `prior` and the terms with start_knot <= first knot and last knot <= last_knot over the
-// unknowns that they touch, in place.
-ceres::Solver::Summary Solve(const ArmProblem& problem, State& state, const CarriedPrior& prior,
-                             int start_knot, int last_knot, const SolveOptions& options);
+// unknowns that they touch, in place. `workspace`, made for this problem, saves memory from being
+// asked for again and again.
+SolveSummary Solve(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                   int start_knot, int last_knot, const SolveOptions& options,
+                   ChainWorkspace* workspace = nullptr);
 
 }  // namespace brachium

@@ -16,14 +16,11 @@ constexpr double kDistinct = 20 * kDegree;
 constexpr double kLongestSettling = 80.0;  // [s]
 
 // Windows need not be solved to the last digit: the whole trial follows.
-constexpr SolveOptions kWindowSolve{
-    .most_iterations = 20, .function_tolerance = 1e-7, .step_tolerance = 1e-7};
+constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 0.1};
 
 // Lever arms that may flip would let a wrong heading explain everything.
-constexpr SolveOptions kSettlingSolve{.most_iterations = 20,
-                                      .function_tolerance = 1e-5,
-                                      .step_tolerance = 1e-5,
-                                      .hold_geometry = true};
+constexpr SolveOptions kSettlingSolve{
+    .most_iterations = 20, .step_in_sd = 0.1, .hold_geometry = true};
 
 int KnotAt(const ArmProblem& problem, double time) {
   const auto& knots = problem.timeline().knots;
@@ -56,7 +53,7 @@ struct Trial {
 
 // Tries headings of one segment over the knots up to `last`; says whether one is clearly cheaper.
 bool TryHeadings(const ArmProblem& problem, State& state, int sensor, int last,
-                 WindowReport& report) {
+                 const SolveOptions& solve, ChainWorkspace& workspace, WindowReport& report) {
   std::optional<Trial> best;
   std::vector<std::pair<double, double>> found;  // heading reached, cost
   for (int i = 0; i < kHeadings; ++i) {
@@ -64,8 +61,8 @@ bool TryHeadings(const ArmProblem& problem, State& state, int sensor, int last,
     for (int link = sensor; link < problem.size().sensors; ++link)
       TurnFirstKnot(trial.state, link, 2 * std::numbers::pi * i / kHeadings);
     DeadReckon(problem, trial.state, 0, last);
-    const auto summary = Solve(problem, trial.state, {}, 0, last, kSettlingSolve);
-    report.iterations += static_cast<int>(summary.iterations.size()) - 1;
+    const auto summary = Solve(problem, trial.state, {}, 0, last, solve, &workspace);
+    report.iterations += summary.iterations;
     trial.cost = summary.final_cost;
     found.emplace_back(RelativeHeading(trial.state, sensor), trial.cost);
     if (!best || trial.cost < best->cost) best = std::move(trial);
@@ -84,6 +81,9 @@ void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOp
                          WindowReport& report) {
   const State start = state;
   const double begin = problem.timeline().knots.front();
+  ChainWorkspace workspace(problem);
+  SolveOptions solve = kSettlingSolve;
+  solve.solver = options.solver;
   for (double span = options.length;; span *= 2) {
     state = start;
     const int last = KnotAt(problem, begin + span);
@@ -91,7 +91,7 @@ void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOp
     bool clear = true;
     for (int sensor = 1; sensor < problem.size().sensors; ++sensor)
       if (!IsSettledByPose(problem, sensor))
-        clear = TryHeadings(problem, state, sensor, last, report) && clear;
+        clear = TryHeadings(problem, state, sensor, last, solve, workspace, report) && clear;
     if (clear || last == problem.timeline().Intervals() || span >= kLongestSettling) return;
   }
 }
@@ -108,7 +108,8 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
   const double begin = timeline.knots.front(), span = timeline.knots.back() - begin;
   SolveOptions solve = kWindowSolve;
   solve.hold_geometry = options.hold_geometry;
-  Elimination::Workspace workspace;
+  solve.solver = options.solver;
+  ChainWorkspace workspace(problem);
   CarriedPrior prior;
   int known = 0;  // knots up to here have a value
   for (int start = 0;;) {
@@ -116,8 +117,8 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     int end = std::max(KnotAt(problem, time + options.length), start + 1);
     if (end + 1 >= last) end = last;
     DeadReckon(problem, state, known, end);
-    const auto summary = Solve(problem, state, prior, start, end, solve);
-    report.iterations += static_cast<int>(summary.iterations.size()) - 1;
+    const auto summary = Solve(problem, state, prior, start, end, solve, &workspace);
+    report.iterations += summary.iterations;
     ++report.windows;
     known = end;
     if (progress)
@@ -126,8 +127,7 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     HoldBias(problem, state,
              timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end)]) + 1);
     const int next = std::max(KnotAt(problem, time + options.advance), start + 1);
-    const Elimination left(problem, state, prior, start, next, false, workspace);
-    prior = left.Carry(problem, state);
+    prior = Elimination(problem, state, prior, start, next, workspace).Carry();
     start = next;
   }
 }

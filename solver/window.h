@@ -12,6 +12,7 @@ struct WindowOptions {
   double length = 5.0;         // [s]
   double advance = 2.5;        // from one window to the next [s]
   bool hold_geometry = false;  // as in SolveOptions
+  SolverKind solver = SolverKind::kChain;
 };
 
 struct WindowReport {

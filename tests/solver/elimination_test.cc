@@ -19,7 +19,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 struct Stretch {
   ArmProblem problem;
   State state;
-  Elimination::Workspace workspace;
+  ChainWorkspace workspace{problem};
 
   Stretch() : problem(CutTrial(), {.bias_node_spacing_s = 0.3}, 0.1), state(problem.PriorState()) {
     SetFirstKnot(problem, state);
@@ -34,8 +34,8 @@ struct Stretch {
         std::fill_n(state.Velocity(knot, sensor), 3, 0.0);
   }
 
-  Elimination Eliminated(const CarriedPrior& prior, int start, int end, bool keep = false) {
-    return Elimination(problem, state, prior, start, end, keep, workspace);
+  Elimination Eliminated(const CarriedPrior& prior, int start, int end) {
+    return Elimination(problem, state, prior, start, end, workspace);
   }
 
  private:
@@ -86,7 +86,7 @@ double LargestScaled(const MatrixXd& difference, const VectorXd& diagonal) {
 
 TEST(Elimination, CarriesOnWhatTheSchurComplementOfAllThatLeftSays) {
   Stretch stretch;
-  const CarriedPrior prior = stretch.Eliminated({}, 0, 6).Carry(stretch.problem, stretch.state);
+  const CarriedPrior prior = stretch.Eliminated({}, 0, 6).Carry();
   const DenseMarginal expected(stretch, 6, prior.unknowns);
   const DenseInformation carried = InformationOf(prior, stretch);
   const std::vector<int> K = carried.RowsOf(stretch.problem, prior.unknowns);
@@ -98,7 +98,7 @@ TEST(Elimination, CarriesOnWhatTheSchurComplementOfAllThatLeftSays) {
 
 TEST(Elimination, KeepsOnlyWhatLaterTermsTouch) {
   Stretch stretch;
-  const CarriedPrior prior = stretch.Eliminated({}, 0, 6).Carry(stretch.problem, stretch.state);
+  const CarriedPrior prior = stretch.Eliminated({}, 0, 6).Carry();
   const std::vector<int>& nodes = stretch.problem.timeline().nodes;
   for (const int unknown : prior.unknowns) {
     const Unknown u = stretch.problem.Describe(unknown);
@@ -120,8 +120,8 @@ TEST(Elimination, InTwoStepsGivesTheStepOfSolvingAllAtOnce) {
   const int end = problem.size().knots;
   DenseInformation all(problem), rest(problem);
   all.AddTerms(problem, stretch.state, 0, end);
-  CarriedPrior prior = stretch.Eliminated({}, 0, 3).Carry(problem, stretch.state);
-  prior = stretch.Eliminated(prior, 3, 7).Carry(problem, stretch.state);
+  CarriedPrior prior = stretch.Eliminated({}, 0, 3).Carry();
+  prior = stretch.Eliminated(prior, 3, 7).Carry();
   rest.Add(*prior.cost, prior.unknowns, problem, stretch.state);
   rest.AddTerms(problem, stretch.state, 7, end);
 
@@ -159,7 +159,7 @@ VectorXd HeadingDirection(Stretch& stretch, const std::vector<int>& unknowns) {
 }
 
 double HeadingInformation(Stretch& stretch, int end) {
-  const CarriedPrior prior = stretch.Eliminated({}, 0, end).Carry(stretch.problem, stretch.state);
+  const CarriedPrior prior = stretch.Eliminated({}, 0, end).Carry();
   const VectorXd d = HeadingDirection(stretch, prior.unknowns);
   return d.dot(InformationOf(prior, stretch).H * d);
 }
@@ -170,7 +170,7 @@ TEST(Elimination, CarriesOnOfTheHeadingOnlyTheShareOfTheGauge) {
   Stretch stretch;
   stretch.Halt();
   constexpr int kEnd = 6;
-  const CarriedPrior prior = stretch.Eliminated({}, 0, kEnd).Carry(stretch.problem, stretch.state);
+  const CarriedPrior prior = stretch.Eliminated({}, 0, kEnd).Carry();
   DenseInformation without(stretch.problem);
   for (const Term& term : stretch.problem.terms())
     if (term.first_knot < kEnd &&
@@ -208,17 +208,18 @@ TEST(Elimination, VisitsTheCovariancesOfTheDenseInverse) {
   MatrixXd expected = MatrixXd::Zero(all.H.rows(), all.H.rows());
   expected(rows, rows) = SolvedInLongDouble(all.H(rows, rows), MatrixXd::Identity(n, n));
 
-  const Elimination elimination = stretch.Eliminated({}, 0, knots, true);
+  const Elimination elimination = stretch.Eliminated({}, 0, knots);
   EXPECT_TRUE(elimination.singular().empty());
   int visited = 0;
   std::set<int> seen;
-  elimination.VisitCovariances([&](int knot, const BlockIndex& index, const MatrixXd& covariance) {
-    EXPECT_EQ(knot, knots - 1 - visited++);
-    seen.insert(index.unknowns.begin(), index.unknowns.end());
-    const std::vector<int> of = all.RowsOf(stretch.problem, index.unknowns);
-    const MatrixXd dense = expected(of, of);
-    EXPECT_LT(LargestScaled(covariance - dense, dense.diagonal()), 1e-9) << "knot " << knot;
-  });
+  elimination.VisitCovariances(
+      [&](int knot, const BlockIndex& index, const CovarianceView& covariance) {
+        EXPECT_EQ(knot, knots - 1 - visited++);
+        seen.insert(index.unknowns.begin(), index.unknowns.end());
+        const std::vector<int> of = all.RowsOf(stretch.problem, index.unknowns);
+        const MatrixXd dense = expected(of, of);
+        EXPECT_LT(LargestScaled(covariance - dense, dense.diagonal()), 1e-9) << "knot " << knot;
+      });
   EXPECT_EQ(visited, knots);
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(stretch.problem.unknowns()));
 }
@@ -227,7 +228,7 @@ TEST(Elimination, NamesTheUnknownsThatNothingDetermines) {
   Stretch stretch;
   stretch.problem = ArmProblem(stretch.problem.observations(), stretch.problem.options(), 0.1);
   const std::vector<int> singular =
-      stretch.Eliminated({}, 0, stretch.problem.size().knots, true).singular();
+      stretch.Eliminated({}, 0, stretch.problem.size().knots).singular();
   EXPECT_TRUE(std::any_of(singular.begin(), singular.end(), [&](int unknown) {
     return stretch.problem.Describe(unknown).kind == UnknownKind::kAttitude;
   }));

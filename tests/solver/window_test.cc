@@ -19,22 +19,21 @@ constexpr SolveOptions kToTheEnd{.most_iterations = 100};
 
 // The largest difference of attitudes at one knot, axis by axis, as a share of its sd at `state`.
 double LargestShareOfSd(const ArmProblem& problem, State& state, const State& other, int knot) {
-  Elimination::Workspace workspace;
-  const Elimination elimination(problem, state, {}, 0, problem.size().knots, true, workspace);
+  ChainWorkspace workspace(problem);
+  const Elimination elimination(problem, state, {}, 0, problem.size().knots, workspace);
   std::optional<double> share;
-  elimination.VisitCovariances(
-      [&](int, const BlockIndex& index, const Eigen::MatrixXd& covariance) {
-        if (share || index.OffsetOf(problem.Attitude(knot, 0)) < 0) return;
-        share = 0.0;
-        for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-          const Eigen::Map<const Quaterniond> q(state.Attitude(knot, sensor));
-          const Eigen::Map<const Quaterniond> q_other(other.Attitude(knot, sensor));
-          const int at = index.OffsetOf(problem.Attitude(knot, sensor));
-          const Vector3d sd = covariance.diagonal().segment<3>(at).cwiseSqrt();
-          const Vector3d difference = Log<double>(q.conjugate() * q_other);
-          share = std::max(*share, difference.cwiseQuotient(sd).cwiseAbs().maxCoeff());
-        }
-      });
+  elimination.VisitCovariances([&](int, const BlockIndex& index, const CovarianceView& covariance) {
+    if (share || index.OffsetOf(problem.Attitude(knot, 0)) < 0) return;
+    share = 0.0;
+    for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
+      const Eigen::Map<const Quaterniond> q(state.Attitude(knot, sensor));
+      const Eigen::Map<const Quaterniond> q_other(other.Attitude(knot, sensor));
+      const int at = index.OffsetOf(problem.Attitude(knot, sensor));
+      const Vector3d sd = covariance.diagonal().segment<3>(at).cwiseSqrt();
+      const Vector3d difference = Log<double>(q.conjugate() * q_other);
+      share = std::max(*share, difference.cwiseQuotient(sd).cwiseAbs().maxCoeff());
+    }
+  });
   return share.value();
 }
 

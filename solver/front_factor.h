@@ -1,0 +1,37 @@
+// The arithmetic of the block elimination: small dense loops over 4 numbers at a time.
+//
+// A front is column-major with `stride` numbers a column, a multiple of kLane; of its symmetric
+// matrix the lower triangle counts, and what stands above it is overwritten at will. On x86-64 Linux
+// the loops exist twice, the machine chooses when the program starts: last digits then depend on it.
+#pragma once
+
+namespace brachium {
+
+constexpr int kLane = 4;  // numbers that the loops take at a time
+
+constexpr int Padded(int rows) { return (rows + kLane - 1) / kLane * kLane; }
+
+// P, columns x columns with stride Padded(columns), lower triangle: Wᵀ W. W: `rows` rows of
+// Padded(columns) numbers, one row after another, its padding zero.
+void SquareColumns(const double* W, int rows, int columns, double* P);
+
+// Partial Cholesky factorisation of a front of `columns` columns whose row `columns` holds the
+// gradient g, followed by zeros: of [H_EE; H_SE; g_Eᵀ] it leaves [L; B; yᵀ] with L Lᵀ = H_EE,
+// B = H_SE L⁻ᵀ, y = L⁻¹ g_E, and of the rest [H_SS - B Bᵀ; g_Sᵀ - yᵀ Bᵀ]. E: the first `pivots`.
+// A pivot that does not exceed its entry in `least` is put to kRaised times that entry.
+// Returns the number of pivots raised.
+constexpr double kRaised = 1e4;
+int FactorFront(double* H, int stride, int columns, int pivots, const double* least);
+
+// The step of the eliminated unknowns from that of the others: d_E = -L⁻ᵀ (y + Bᵀ d_S). `L`: the
+// first `pivots` columns that FactorFront left. `d`: `stride` numbers, of which d_S is given; what
+// follows d is overwritten.
+void BackSubstitute(const double* L, int stride, int columns, int pivots, double* d);
+
+// Extends a covariance from S to E. Given is Σ_SS in the symmetric matrix `S`, whole columns of
+// `stride` numbers with their padding zero; with A = L⁻ᵀ Bᵀ there are added Σ_SE = -Σ_SS Aᵀ, its
+// transpose, and Σ_EE = L⁻ᵀ L⁻¹ + A Σ_SS Aᵀ. `scratch`: 2 * pivots * stride numbers.
+void ExtendCovariance(const double* L, int stride, int columns, int pivots, double* S,
+                      double* scratch);
+
+}  // namespace brachium

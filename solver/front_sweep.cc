@@ -1,0 +1,160 @@
+#include "solver/front_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/front_factor.h"
+
+namespace brachium {
+namespace {
+
+std::size_t U(int i) { return static_cast<std::size_t>(i); }
+
+// A pivot that loses this many digits against the diagonal of JᵀJ is not determined.
+constexpr double kSingular = 1e-13;
+
+// The diagonal that damping multiplies is kept away from nothing and from infinity.
+double Clamped(double diagonal) { return std::clamp(diagonal, 1e-6, 1e32); }
+
+}  // namespace
+
+bool FrontSweep::Sums::IsFinite() const {
+  return std::isfinite(cost) && std::isfinite(length_2) && std::isfinite(gradient_norm);
+}
+
+void FrontSweep::Prepare(const FrontPlan& plan) {
+  const std::size_t columns = U(plan.columns()), widest = U(plan.widest_stride());
+  factors_.resize(plan.storage());
+  diagonal_.resize(columns);
+  gradient_.resize(columns);
+  front_.resize(widest * widest);
+  before_.resize(widest * widest);
+  least_.resize(widest);
+  d_.resize(widest);
+  term_.Reserve(plan.most_residuals(), plan.most_blocks(), plan.widest_term());
+}
+
+FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping, std::vector<int>* weak) {
+  damping_ = damping;
+  std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+  std::fill(gradient_.begin(), gradient_.end(), 0.0);
+  Sums sums;
+  long double cost = 0.0;  // of very many terms, compared to the last digits
+  int stride_before = 0;
+  for (const FrontPlan::Front& front : plan.fronts()) {
+    TakeOver(plan, front, stride_before);
+    for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) cost += AddTerm(plan, front, term);
+    const int raised = Eliminate(front);
+    sums.weak_pivots += raised;
+    if (raised > 0 && weak != nullptr)
+      for (const FrontPlan::Member& member : plan.Members(front))
+        if (member.column < front.eliminated)
+          weak->push_back(plan.variables()[U(member.variable)].unknown);
+    const double* y = Factor(front) + front.columns;
+    for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
+    stride_before = front.Stride();
+    std::swap(front_, before_);
+  }
+  sums.cost = static_cast<double>(cost);
+  for (const double g : gradient_) sums.gradient_norm = std::max(sums.gradient_norm, std::abs(g));
+  return sums;
+}
+
+// Empties the front and puts into it what the last one handed on.
+void FrontSweep::TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before) {
+  const int stride = front.Stride();
+  for (int column = 0; column < front.columns; ++column)
+    std::fill_n(&front_[U(column * stride + column)], stride - column, 0.0);
+  const auto runs = plan.Runs(front);
+  if (runs.empty()) return;
+  const int gradient_before = runs.back().from + runs.back().length;  // the row below the last
+  for (std::size_t j = 0; j < runs.size(); ++j) {
+    for (int i = 0; i < runs[j].length; ++i) {
+      const double* from = &before_[U((runs[j].from + i) * stride_before)];
+      double* to = &front_[U((runs[j].to + i) * stride)];
+      std::copy_n(from + runs[j].from + i, runs[j].length - i, to + runs[j].to + i);
+      for (std::size_t below = j + 1; below < runs.size(); ++below)
+        std::copy_n(from + runs[below].from, runs[below].length, to + runs[below].to);
+      to[front.columns] = from[gradient_before];
+    }
+  }
+}
+
+// Adds Jᵀ [J r] of one term; returns its cost.
+double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
+                           const FrontPlan::PlannedTerm& term) {
+  const auto blocks = plan.Blocks(term);
+  const int columns = term.columns, stride = front.Stride();
+  const double cost = term_.Linearise(*term.cost, term.loss, blocks, columns);
+  const int* place = term_.PlacesInFront();
+  for (int column = 0; column < columns; ++column) {
+    const double* from = term_.Column(column);
+    double* to = &front_[U(place[column] * stride)];
+    for (int row = column; row < columns; ++row) to[place[row]] += from[row];
+    to[front.columns] += from[columns];
+  }
+  for (const TermBlock& block : blocks) {
+    if (block.place < 0) continue;
+    const int at = plan.variables()[U(block.variable)].column;
+    for (int k = 0; k < block.tangent; ++k) {
+      const double* from = term_.Column(block.place + k);
+      diagonal_[U(at + k)] += from[block.place + k];
+      gradient_[U(at + k)] += from[columns];
+    }
+  }
+  return cost;
+}
+
+int FrontSweep::Eliminate(const FrontPlan::Front& front) {
+  const int stride = front.Stride();
+  for (int k = 0; k < front.eliminated; ++k) {
+    const double diagonal = diagonal_[U(front.first_column + k)];
+    front_[U(k * stride + k)] += damping_ * Clamped(diagonal);
+    least_[U(k)] = kSingular * std::max(diagonal, 1e-9);
+  }
+  const int raised =
+      FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());
+  std::copy_n(front_.data(), front.eliminated * stride, factors_.data() + front.storage);
+  return raised;
+}
+
+double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
+  step.resize(U(plan.columns()));
+  double decrease = 0.0;
+  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
+    for (const FrontPlan::Member& member : plan.Members(*front)) {
+      if (member.column < front->eliminated) continue;
+      const FrontPlan::Variable& variable = plan.variables()[U(member.variable)];
+      std::copy_n(&step[U(variable.column)], variable.tangent, &d_[U(member.column)]);
+    }
+    const double* L = Factor(*front);
+    BackSubstitute(L, front->Stride(), front->columns, front->eliminated, d_.data());
+    for (int k = 0; k < front->eliminated; ++k) {
+      const double y = L[k * front->Stride() + front->columns], d = d_[U(k)];
+      const std::size_t column = U(front->first_column + k);
+      decrease += 0.5 * (y * y + damping_ * Clamped(diagonal_[column]) * d * d);
+      step[column] = d;
+    }
+  }
+  return decrease;
+}
+
+Eigen::MatrixXd FrontSweep::KeptInformation(const FrontPlan& plan) const {
+  if (plan.fronts().empty()) return {};
+  const FrontPlan::Front& last = plan.fronts().back();
+  const int kept = last.columns - last.eliminated;
+  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> H(
+      before_.data(), last.columns, last.columns, Eigen::OuterStride<>(last.Stride()));
+  return H.bottomRightCorner(kept, kept).selfadjointView<Eigen::Lower>();
+}
+
+Eigen::VectorXd FrontSweep::KeptGradient(const FrontPlan& plan) const {
+  if (plan.fronts().empty()) return {};
+  const FrontPlan::Front& last = plan.fronts().back();
+  Eigen::VectorXd g(last.columns - last.eliminated);
+  for (int k = 0; k < g.size(); ++k)
+    g[k] = before_[U((last.eliminated + k) * last.Stride() + last.columns)];
+  return g;
+}
+
+}  // namespace brachium

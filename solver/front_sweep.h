@@ -1,0 +1,66 @@
+// One pass of numbers along a plan of fronts: linearise the terms, eliminate front by front, and on
+// the way back solve for the step. With H = [H_EE H_ES; H_SE H_SS] and g of a front,
+//   L Lᵀ = H_EE,   B = H_SE L⁻ᵀ,   y = L⁻¹ g_E,   H_SS -= B Bᵀ,   g_S -= B y,
+// and backwards d_E = -L⁻ᵀ (y + Bᵀ d_S). The fronts of one trial have one size, so time and memory
+// are linear in its length; a pass allocates nothing.
+// Source: the multifrontal Cholesky factorisation, Duff & Reid (1983), on a chain.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/front_plan.h"
+
+namespace brachium {
+
+class FrontSweep {
+ public:
+  // What a pass found at the values of the plan's variables.
+  struct Sums {
+    double cost = 0.0;           // Σ ½ ρ(|r|²)
+    double gradient_norm = 0.0;  // largest |∂cost/∂column|
+    double length_2 = 0.0;       // Σ |y|²: squared length of the step in the metric of H
+    int weak_pivots = 0;         // that lost all digits and were raised
+    bool IsFinite() const;
+  };
+
+  // Sets memory up for a plan; it is kept from one plan to the next.
+  void Prepare(const FrontPlan& plan);
+
+  // Linearises and eliminates, with `damping` times the diagonal of JᵀJ added to it. Unknowns of
+  // fronts with a pivot that lost all digits are added to `weak`, unless it is null.
+  Sums Run(const FrontPlan& plan, double damping, std::vector<int>* weak = nullptr);
+
+  // The step of all columns that the last pass calls for, and by how much the linearised cost falls
+  // with it. Requires a plan that hands nothing on.
+  double Step(const FrontPlan& plan, std::vector<double>& step);
+
+  // What the last front hands on: the information about its members that stay, and its gradient.
+  Eigen::MatrixXd KeptInformation(const FrontPlan& plan) const;
+  Eigen::VectorXd KeptGradient(const FrontPlan& plan) const;
+
+  // The eliminated columns of a front, as FactorFront left them.
+  const double* Factor(const FrontPlan::Front& front) const { return &factors_[front.storage]; }
+
+ private:
+  void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
+  double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
+                 const FrontPlan::PlannedTerm& term);
+  int Eliminate(const FrontPlan::Front& front);
+
+  double damping_ = 0.0;
+  std::vector<double> factors_;
+  std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
+  std::vector<double> front_, before_;       // matrices of this front and of the last
+  std::vector<double> least_, d_;
+  TermSquare term_;
+};
+
+// Memory that successive plans and passes over one problem share.
+struct ChainWorkspace {
+  explicit ChainWorkspace(const ArmProblem& problem) : plan(problem) {}
+  FrontPlan plan;
+  FrontSweep sweep;
+};
+
+}  // namespace brachium
