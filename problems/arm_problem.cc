@@ -144,6 +144,18 @@ std::vector<int> ArmProblem::Chain(int sensor) const {
   return chain;
 }
 
+Vector3d ArmProblem::PlaceOnChain(const State& state, int knot, int sensor) const {
+  using Vector = Eigen::Map<const Vector3d>;
+  Vector3d p_W = Vector(state.Root(knot, RootOf(sensor)));
+  for (const int link : Chain(sensor)) {
+    const UnknownKind lever =
+        link == sensor ? UnknownKind::kSensorPosition : UnknownKind::kJointVector;
+    p_W += Eigen::Map<const Eigen::Quaterniond>(state.Attitude(knot, link)) *
+           Vector(state.Constant(lever, link));
+  }
+  return p_W;
+}
+
 int ArmProblem::SensorOn(Segment segment) const {
   for (std::size_t i = 0; i < observations_.recordings.size(); ++i)
     if (observations_.recordings[i].segment == segment) return static_cast<int>(i);

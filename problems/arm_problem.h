@@ -110,6 +110,9 @@ class ArmProblem {
   // A state with every constant at its prior mean, biases from the rests, knots not yet set.
   State PriorState() const;
 
+  // Where the chain of segments puts a sensor, in W [m].
+  Eigen::Vector3d PlaceOnChain(const State& state, int knot, int sensor) const;
+
   // What the model leaves out of each sensor's motion; setting it renews the weights that use it.
   const std::vector<Unmodelled>& unmodelled() const { return unmodelled_; }
   void SetUnmodelled(const std::vector<Unmodelled>& unmodelled);

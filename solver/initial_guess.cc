@@ -57,17 +57,9 @@ double HeadingTowards(const Quaterniond& q_target, const Quaterniond& q) {
   return 2 * std::atan2(q_turn.z(), q_turn.w());
 }
 
-// Every sensor where the chain of segments puts it.
 void SetPlaces(const ArmProblem& problem, State& state, int knot) {
-  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-    Vector3d p_W = Vector(state.Root(knot, problem.RootOf(sensor)));
-    for (const int link : problem.Chain(sensor)) {
-      const UnknownKind lever =
-          link == sensor ? UnknownKind::kSensorPosition : UnknownKind::kJointVector;
-      p_W += Attitude(state.Attitude(knot, link)) * Vector(state.Constant(lever, link));
-    }
-    Eigen::Map<Vector3d>{state.Place(knot, sensor)} = p_W;
-  }
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+    Eigen::Map<Vector3d>{state.Place(knot, sensor)} = problem.PlaceOnChain(state, knot, sensor);
 }
 
 }  // namespace

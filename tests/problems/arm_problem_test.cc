@@ -51,6 +51,8 @@ struct StillArm {
       if (problem.size().roots == 2)
         Eigen::Map<Vector3d>{state.Root(knot, 1)} =
             q_WB[0] * observations.arm.segments.at(Segment::kThorax).p_distal_B;
+      for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+        Eigen::Map<Vector3d>{state.Place(knot, sensor)} = problem.PlaceOnChain(state, knot, sensor);
     }
     return state;
   }
@@ -129,6 +131,9 @@ TEST(ArmProblem, SaysOfEveryUnknownWhatItIsAndWhereItsValueLies) {
         case UnknownKind::kVelocity:
           index = problem.Velocity(u.place, u.sensor);
           break;
+        case UnknownKind::kPlace:
+          index = problem.Place(u.place, u.sensor);
+          break;
         case UnknownKind::kAdduction:
           index = problem.Adduction(u.place);
           break;
@@ -201,6 +206,7 @@ TEST(ArmProblem, HasOneOfEachMeasurementPerSensorAndInterval) {
   const int intervals = problem.timeline().Intervals();
   EXPECT_EQ(Count(problem, ResidualKind::kGyroscope), 5 * intervals);
   EXPECT_EQ(Count(problem, ResidualKind::kAccelerometer), 5 * intervals);
+  EXPECT_EQ(Count(problem, ResidualKind::kSegmentChain), 5 * (intervals + 1));
   EXPECT_EQ(Count(problem, ResidualKind::kElbowAdduction), intervals + 1);
   EXPECT_EQ(Count(problem, ResidualKind::kRangeOfMotion), intervals + 1);
   EXPECT_EQ(Count(problem, ResidualKind::kShoulderProcess), intervals + 1);
@@ -247,10 +253,29 @@ TEST(ArmProblem, WeighsTheAccelerometersAnewByTheirUnmodelledAcceleration) {
     return sum;
   };
   const double first = cost(0), second = cost(1);
-  problem.SetUnmodelledAcceleration({0.1, 1.0});
+  const Unmodelled told = problem.unmodelled()[0];
+  problem.SetUnmodelled({told, {10 * told.acceleration, told.quiver}});
   EXPECT_NEAR(cost(0), first, 1e-9 * first);
   EXPECT_NEAR(cost(1), 0.01 * second, 1e-4 * second);  // but for the white noise
-  EXPECT_EQ(problem.unmodelled_acceleration(), (std::vector<double>{0.1, 1.0}));
+  EXPECT_EQ(problem.unmodelled()[1].acceleration, 10 * told.acceleration);
+}
+
+TEST(ArmProblem, WeighsTheChainsAnewByTheirQuiver) {
+  const StillArm arm(kElbow);
+  ArmProblem problem = arm.Problem();
+  State off = arm.Truth(problem);
+  for (int knot = 0; knot < problem.size().knots; ++knot) off.Place(knot, 1)[2] += 0.001;
+  const auto cost = [&] {
+    double sum = 0.0;
+    for (const Term& term : problem.terms())
+      if (term.kind == ResidualKind::kSegmentChain)
+        sum += ResidualOf(term, problem, off).squaredNorm();
+    return sum;
+  };
+  const double before = cost();
+  const Unmodelled told = problem.unmodelled()[1];
+  problem.SetUnmodelled({told, {told.acceleration, 3 * told.quiver}});
+  EXPECT_NEAR(cost(), before / 9, 1e-9 * before);
 }
 
 TEST(ArmProblem, HasOneHeadingGaugeHoweverOftenItIsFixed) {

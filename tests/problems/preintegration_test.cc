@@ -51,7 +51,7 @@ TEST(Preintegrator, GivesATurningSensorItsAttitudeAndNoFalseAcceleration) {
 }
 
 // Coning: the axis of a small turn goes round.
-SensorTruth Coning(double t) {
+SensorInstant Coning(double t) {
   const double angle = 0.15, frequency = 20.0;  // [rad], [rad/s]
   const Vector3d phi(angle * std::cos(frequency * t), angle * std::sin(frequency * t), 0.0);
   const Vector3d phi_rate = frequency * Vector3d(-phi.y(), phi.x(), 0.0);
@@ -62,7 +62,7 @@ SensorTruth Coning(double t) {
 }
 
 // Sculling: a turn to and fro and a sway across it keep the same time.
-SensorTruth Sculling(double t) {
+SensorInstant Sculling(double t) {
   return SensorOn({About(Vector3d::UnitX(), Sine(0.3, 20.0, 0.0, t)),
                    PointOf({}, Sine(0.02, 20.0, 0.2, t), {})},
                   {});
@@ -107,6 +107,15 @@ TEST(Preintegrated, ForetellsAChangeOfTheGyroBias) {
   const auto before = samples.Sum(0.2, 0.6, bias);
   ExpectForetold(before, samples.Sum(0.2, 0.6, bias + change), before.dR_dbg, before.dv_dbg,
                  before.dp_dbg, change);
+}
+
+TEST(Preintegrated, ForetellsAScaleErrorOfTheGyroscope) {
+  Recording recording = Even(SwayingSensor(0.7), 100.0, 0.8);
+  const auto before = Preintegrator(recording).Sum(0.2, 0.6, kNoBias);
+  const Vector3d scale(3e-4, -2e-4, 4e-4);
+  for (Vector3d& gyr : recording.gyr_S) gyr -= scale.cwiseProduct(gyr);
+  ExpectForetold(before, Preintegrator(recording).Sum(0.2, 0.6, kNoBias), before.dR_dsg,
+                 before.dv_dsg, before.dp_dsg, scale);
 }
 
 TEST(Preintegrated, ForetellsABiasOfTheAccelerometer) {

@@ -19,11 +19,13 @@ std::vector<std::pair<double*, int>> Blocks(State& state) {
     for (int knot = 0; knot < size.knots; ++knot) {
       blocks.push_back({state.Attitude(knot, sensor), 4});
       blocks.push_back({state.Velocity(knot, sensor), 3});
+      blocks.push_back({state.Place(knot, sensor), 3});
     }
     for (int node = 0; node < size.nodes; ++node)
       blocks.push_back({state.GyroBias(node, sensor), 3});
-    for (const auto kind : {UnknownKind::kAccelBias, UnknownKind::kAccelScale,
-                            UnknownKind::kSensorPosition, UnknownKind::kJointVector})
+    for (const auto kind :
+         {UnknownKind::kGyroScale, UnknownKind::kAccelBias, UnknownKind::kAccelScale,
+          UnknownKind::kSensorPosition, UnknownKind::kJointVector})
       blocks.push_back({state.Constant(kind, sensor), 3});
   }
   for (int knot = 0; knot < size.knots; ++knot) {

@@ -101,6 +101,7 @@ State TrueState(const ArmProblem& problem, const Scenario& scenario, const Simul
       const MovingPoint point = PointOn(arm[segment], {.p = {p[0], p[1], p[2]}});
       Attitude{state.Attitude(knot, sensor)} = q_WV * arm[segment].turning.q_AB;
       Vector{state.Velocity(knot, sensor)} = q_WV * point.v;
+      Vector{state.Place(knot, sensor)} = q_WV * (point.p - p_start);
     }
   }
   return state;

@@ -16,13 +16,13 @@
 namespace brachium {
 
 // One instant of a sensor: its pose, and what an ideal one would read.
-struct SensorTruth {
+struct SensorInstant {
   Eigen::Quaterniond q_WS = Eigen::Quaterniond::Identity();
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero(), v_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d gyr_S = Eigen::Vector3d::Zero(), acc_S = Eigen::Vector3d::Zero();
 };
 
-using MovingSensor = std::function<SensorTruth(double)>;
+using MovingSensor = std::function<SensorInstant(double)>;
 using MovingBody = std::function<BodyMotion(double)>;
 
 inline const Eigen::Vector3d kGravity_W(0.0, 0.0, -kGravity);
@@ -42,7 +42,7 @@ inline BodyMotion SwayingBody(double t, double phase) {
           PointOf(Sine(0.05, 2.0, phase, t), Sine(0.04, 3.0, 1.0, t), Sine(0.03, 4.0, 2.0, t))};
 }
 
-inline SensorTruth SensorOn(const BodyMotion& body, const Mounting& mounting) {
+inline SensorInstant SensorOn(const BodyMotion& body, const Mounting& mounting) {
   const MovingPoint point = PointOn(body, {.p = mounting.p_BS_B});
   const Eigen::Quaterniond q_WS = body.turning.q_AB * mounting.q_BS;
   return {q_WS, point.p, point.v, mounting.q_BS.conjugate() * body.turning.omega_AB_B,
@@ -69,7 +69,7 @@ inline Recording Recorded(const MovingSensor& sensor, const std::vector<double>&
     const double end = i + 1 == time.size() ? time[i] + period / 2 : (time[i] + time[i + 1]) / 2;
     Eigen::Vector3d gyr = Eigen::Vector3d::Zero(), acc = Eigen::Vector3d::Zero();
     for (const auto& [place, weight] : kNodes) {
-      const SensorTruth truth = sensor((begin + end) / 2 + place * (end - begin) / 2);
+      const SensorInstant truth = sensor((begin + end) / 2 + place * (end - begin) / 2);
       gyr += weight / 2 * truth.gyr_S;
       acc += weight / 2 * truth.acc_S;
     }
@@ -96,7 +96,7 @@ struct SumErrors {
 };
 
 inline SumErrors ErrorsOf(const Preintegrated& sum, const MovingSensor& sensor, double start) {
-  const SensorTruth a = sensor(start), b = sensor(start + sum.duration);
+  const SensorInstant a = sensor(start), b = sensor(start + sum.duration);
   const double D = sum.duration;
   const Eigen::Quaterniond q_SW = a.q_WS.conjugate();
   return {Log<double>(sum.dq.conjugate() * q_SW * b.q_WS).norm(),

@@ -20,18 +20,21 @@ struct Example {
   Quaterniond before, after;  // q_WB
   Preintegrated interval;
 
-  explicit Example(const Vector3d& bias, const Vector3d& taken_off = kZero) {
+  explicit Example(const Vector3d& bias, const Vector3d& taken_off = kZero,
+                   const Vector3d& scale = kZero) {
     const auto body = [](double t) { return SwayingBody(t, 0.3); };
     const MovingSensor sensor = [&](double t) { return SensorOn(body(t), kMounting); };
     Recording recording = Recorded(sensor, EvenTimes(0.0005, 0.001, 500));
-    for (Vector3d& gyr : recording.gyr_S) gyr += bias;
+    for (Vector3d& gyr : recording.gyr_S)
+      gyr = (gyr + bias).cwiseQuotient(Vector3d::Ones() - scale);
     interval = Preintegrator(recording).Sum(kStart, kEnd, taken_off);
     before = body(kStart).turning.q_AB;
     after = body(kEnd).turning.q_AB;
   }
   Gyroscope Residual() const { return {interval, kMounting.q_BS, kAlpha, kSigma}; }
-  BlockValues Values(const Vector3d& b_j, const Vector3d& b_j1) const {
-    return {before.coeffs(), after.coeffs(), b_j, b_j1};
+  BlockValues Values(const Vector3d& b_j, const Vector3d& b_j1,
+                     const Vector3d& scale = kZero) const {
+    return {before.coeffs(), after.coeffs(), b_j, b_j1, scale};
   }
 };
 
@@ -46,6 +49,13 @@ TEST(Gyroscope, TakesOffTheBiasOfTheIntervalsPlaceBetweenTheNodes) {
   EXPECT_LT(ResidualAt(example.Residual(), example.Values(b_j, b_j1)).norm(), 1e-3);
 }
 
+TEST(Gyroscope, TakesOffTheScaleErrorOfEachAxis) {
+  const Vector3d scale(2e-3, -3e-3, 1e-3);
+  const Example example(kZero, kZero, scale);
+  EXPECT_LT(ResidualAt(example.Residual(), example.Values(kZero, kZero, scale)).norm(), 1e-3);
+  EXPECT_GT(ResidualAt(example.Residual(), example.Values(kZero, kZero)).norm(), 0.1);
+}
+
 TEST(Gyroscope, IsOneAtOneSigma) {
   Example example(kZero);
   example.after = example.after * Exp<double>(Vector3d(0.0, 0.6 * kSigma, -0.8 * kSigma));
@@ -56,7 +66,7 @@ TEST(Gyroscope, IsBlindToAnyRotationOfTheWorld) {
   std::mt19937 random(1);
   const Gyroscope residual = Example(kZero).Residual();
   const BlockValues x = RandomValues(Gyroscope::Blocks(), random, 0.01);
-  const BlockValues turned = TurnedWorld(RandomRotation(random), x, std::vector<bool>(4, false));
+  const BlockValues turned = TurnedWorld(RandomRotation(random), x, std::vector<bool>(5, false));
   EXPECT_LT((ResidualAt(residual, x) - ResidualAt(residual, turned)).norm(), 1e-9);
 }
 
@@ -73,6 +83,7 @@ TEST(Gyroscope, DerivativesAgreeNearAgreementAndFarFromIt) {
   std::mt19937 random(1);
   Example example(kZero);
   example.interval.dR_dbg = Eigen::Matrix3d::Identity() + 0.3 * Skew<double>({0.1, 2.0, -0.5});
+  example.interval.dR_dsg = Eigen::Matrix3d::Identity() - 0.2 * Skew<double>({1.1, 0.3, -0.7});
   const Quaterniond agreed = example.after;
   for (int i = 0; i < 60; ++i) {
     const double angle = std::pow(10.0, -8.0 + 0.14 * i);  // up to 2 rad
@@ -80,7 +91,8 @@ TEST(Gyroscope, DerivativesAgreeNearAgreementAndFarFromIt) {
     const Vector3d b_j = RandomVector(3, random, 0.1), b_j1 = RandomVector(3, random, 0.1);
     const Gyroscope residual(example.interval, kMounting.q_BS, kAlpha, 0.1);
     EXPECT_TRUE(DerivativesAgree(residual, example.Values(kZero, kZero))) << angle;
-    EXPECT_TRUE(DerivativesAgree(residual, example.Values(b_j, b_j1))) << angle;
+    const Vector3d scale = RandomVector(3, random, 0.1);
+    EXPECT_TRUE(DerivativesAgree(residual, example.Values(b_j, b_j1, scale))) << angle;
   }
 }
 
