@@ -27,11 +27,17 @@ struct Stretch {
     DeadReckon(problem, state, 0, problem.timeline().Intervals());
   }
 
-  // Velocities where residuals in world axes vanish: they then do not change as the world turns.
+  // No velocities, and all sensors at the root: what is told in world axes vanishes, and so does not
+  // change as the world turns.
   void Halt() {
-    for (int knot = 0; knot < problem.size().knots; ++knot)
-      for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+    for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
+      for (int knot = 0; knot < problem.size().knots; ++knot) {
         std::fill_n(state.Velocity(knot, sensor), 3, 0.0);
+        std::fill_n(state.Place(knot, sensor), 3, 0.0);
+      }
+      for (const UnknownKind lever : {UnknownKind::kSensorPosition, UnknownKind::kJointVector})
+        std::fill_n(state.Constant(lever, sensor), 3, 0.0);
+    }
   }
 
   Elimination Eliminated(const CarriedPrior& prior, int start, int end) {

@@ -110,8 +110,8 @@ TEST(FrontPlan, GivesHeldGeometryNoColumns) {
   std::set<UnknownKind> held;
   for (const FrontPlan::Variable& variable : planned.plan.variables())
     if (variable.tangent == 0) held.insert(planned.problem.Describe(variable.unknown).kind);
-  EXPECT_EQ(held, (std::set<UnknownKind>{UnknownKind::kAccelScale, UnknownKind::kSensorPosition,
-                                         UnknownKind::kJointVector}));
+  EXPECT_EQ(held, (std::set<UnknownKind>{UnknownKind::kGyroScale, UnknownKind::kAccelScale,
+                                         UnknownKind::kSensorPosition, UnknownKind::kJointVector}));
   for (const FrontPlan::Front& front : planned.plan.fronts())
     for (const FrontPlan::PlannedTerm& term : planned.plan.Terms(front))
       for (const TermBlock& block : planned.plan.Blocks(term))
