@@ -132,6 +132,14 @@ struct Turned {
   }
   int Last() const { return problem.timeline().Intervals(); }
 
+  // To attitudes from which full steps lead nowhere.
+  void ThrowForearmAbout() {
+    for (int knot = 0; knot < problem.size().knots; ++knot) {
+      Eigen::Map<Eigen::Quaterniond> q(state.Attitude(knot, 1));
+      q = q * Exp<double>(Eigen::Vector3d(2 * std::sin(knot), 2 * std::cos(2 * knot), 0.0));
+    }
+  }
+
   double Cost(State& at) const {
     double cost = 0.0;
     for (const Term& term : problem.terms()) {
@@ -156,7 +164,8 @@ struct Turned {
 };
 
 TEST(ChainSolver, NeverRaisesTheCostAndLeavesTheStateWhoseCostItTells) {
-  Turned start(std::numbers::pi);
+  Turned start(0.0);
+  start.ThrowForearmAbout();
   const double start_cost = start.Cost(start.state);
   double before = start_cost;
   bool refused = false;
@@ -167,7 +176,7 @@ TEST(ChainSolver, NeverRaisesTheCostAndLeavesTheStateWhoseCostItTells) {
     EXPECT_NEAR(summary.final_cost / start.Cost(state), 1.0, 1e-9) << most;
     EXPECT_LE(summary.iterations, most);
     EXPECT_LE(summary.final_cost, before * (1 + 1e-12)) << most;
-    refused = refused || summary.final_cost == before;
+    refused = refused || (most > 0 && !summary.converged && summary.final_cost == before);
     before = summary.final_cost;
   }
   EXPECT_TRUE(refused);  // so a step was taken back on the way
