@@ -9,8 +9,8 @@ namespace brachium {
 namespace {
 
 // The least is what a search begins with: more would hold weakly determined directions back.
-constexpr double kLeastDamping = 1e-12;
-constexpr double kNoDamping = 1e-11;  // up to here steps are Gauss-Newton's
+constexpr double kLeastDamping = 1e-15;
+constexpr double kNoDamping = 1e-12;  // up to here steps are Gauss-Newton's
 constexpr double kMostDamping = 1e16;
 constexpr double kMoreDamping = 100.0, kLessDamping = 0.1;  // after a step refused, or taken
 
@@ -77,10 +77,6 @@ class Descent {
     if (!here_.IsFinite()) return Ended(false, "The start has no finite cost.");
     while (summary_.iterations < options_.most_iterations) {
       if (damping_ > kMostDamping) return Ended(false, "No step lowers the cost.");
-      if (here_.weak_pivots > 0) {
-        Refuse();
-        continue;
-      }
       const double foretold = sweep_.Step(plan_, step_);
       if (here_.length_2 <= options_.step_in_sd * options_.step_in_sd && damping_ <= kNoDamping) {
         values_.Set(step_, 1.0);

@@ -13,6 +13,9 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 // A pivot that loses this many digits against the diagonal of JᵀJ is not determined.
 constexpr double kSingular = 1e-13;
 
+// Damping leaves no pivot below this share of what it adds, rounding apart.
+constexpr double kShareOfDamping = 1e-3;
+
 // The diagonal that damping multiplies is kept away from nothing and from infinity.
 double Clamped(double diagonal) { return std::clamp(diagonal, 1e-6, 1e32); }
 
@@ -107,10 +110,11 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
 
 int FrontSweep::Eliminate(const FrontPlan::Front& front) {
   const int stride = front.Stride();
+  const double lost = damping_ > 0.0 ? kShareOfDamping * damping_ : kSingular;
   for (int k = 0; k < front.eliminated; ++k) {
     const double diagonal = diagonal_[U(front.first_column + k)];
     front_[U(k * stride + k)] += damping_ * Clamped(diagonal);
-    least_[U(k)] = kSingular * std::max(diagonal, 1e-9);
+    least_[U(k)] = lost * std::max(diagonal, 1e-9);
   }
   const int raised =
       FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());

@@ -135,6 +135,7 @@ TEST(SmootherOptions, SayWhyTheyAreNotValid) {
   EXPECT_THAT(why({.window_s = 2.0, .window_advance_s = 3.0, .model = {}}),
               testing::HasSubstr("window_advance_s"));
   EXPECT_THAT(why({.weight_iterations = -1, .model = {}}), testing::HasSubstr("weight_iterations"));
+  EXPECT_THAT(why({.solver = "simplex", .model = {}}), testing::HasSubstr("solver"));
   EXPECT_THAT(why({.threads = 0, .model = {}}), testing::HasSubstr("threads"));
   EXPECT_THAT(why({.model = {.elbow_adduction_sigma_deg = 0.0}}),
               testing::HasSubstr("elbow_adduction_sigma_deg"));

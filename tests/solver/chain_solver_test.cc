@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr SolveOptions kByChain{.most_iterations = 100, .step_in_sd = 1e-5};
+constexpr SolveOptions kByChain{.most_iterations = 100, .step_in_sd = 3e-5};
 constexpr SolveOptions kByCeres{
-    .solver = SolverKind::kCeres, .most_iterations = 100, .step_in_sd = 1e-5};
+    .solver = SolverKind::kCeres, .most_iterations = 100, .step_in_sd = 3e-5};
 
 // The largest difference of two states, number by number, as a share of its sd at the first.
 double LargestShareOfSd(const ArmProblem& problem, State& state, State& other) {
@@ -56,7 +56,7 @@ struct Started {
   }
   int Last() const { return problem.timeline().Intervals(); }
 
-  void ExpectTheSameMinimumByBothSolvers() {
+  void ExpectTheSameMinimumByBothSolvers(double share_of_sd = 1e-3) {
     State by_chain = state, by_ceres = state;
     const SolveSummary chain = Solve(problem, by_chain, {}, 0, Last(), kByChain);
     const SolveSummary ceres = Solve(problem, by_ceres, {}, 0, Last(), kByCeres);
@@ -64,7 +64,7 @@ struct Started {
     EXPECT_TRUE(ceres.converged) << ceres.message;
     EXPECT_NEAR(chain.initial_cost / ceres.initial_cost, 1.0, 1e-12);
     EXPECT_NEAR(chain.final_cost / ceres.final_cost, 1.0, 1e-9);
-    EXPECT_LT(LargestShareOfSd(problem, by_chain, by_ceres), 1e-3);
+    EXPECT_LT(LargestShareOfSd(problem, by_chain, by_ceres), share_of_sd);
   }
 };
 
@@ -95,6 +95,7 @@ TEST(BothSolvers, ReachTheSameMinimumOfOneSensor) {
   Started(trial.observations).ExpectTheSameMinimumByBothSolvers();
 }
 
+// Where the thorax stands still the cost hardly bends along one direction, and steps stay short.
 TEST(BothSolvers, ReachTheSameMinimumOfALongerChain) {
   const Scenario scenario = MakeScenario(BriskScenario(16));
   Trial trial = Simulate(scenario, {}).trial;
@@ -102,7 +103,7 @@ TEST(BothSolvers, ReachTheSameMinimumOfALongerChain) {
   AddThorax(scenario, trial);
   std::rotate(trial.observations.recordings.begin(), trial.observations.recordings.end() - 1,
               trial.observations.recordings.end());
-  Started(trial.observations).ExpectTheSameMinimumByBothSolvers();
+  Started(trial.observations).ExpectTheSameMinimumByBothSolvers(1e-2);
 }
 
 class BothSolversOnARig : public testing::TestWithParam<std::string> {};
@@ -131,6 +132,14 @@ struct Turned {
   }
   int Last() const { return problem.timeline().Intervals(); }
 
+  // To attitudes from which full steps lead nowhere.
+  void ThrowForearmAbout() {
+    for (int knot = 0; knot < problem.size().knots; ++knot) {
+      Eigen::Map<Eigen::Quaterniond> q(state.Attitude(knot, 1));
+      q = q * Exp<double>(Eigen::Vector3d(2 * std::sin(knot), 2 * std::cos(2 * knot), 0.0));
+    }
+  }
+
   double Cost(State& at) const {
     double cost = 0.0;
     for (const Term& term : problem.terms()) {
@@ -155,7 +164,8 @@ struct Turned {
 };
 
 TEST(ChainSolver, NeverRaisesTheCostAndLeavesTheStateWhoseCostItTells) {
-  Turned start(std::numbers::pi);
+  Turned start(0.0);
+  start.ThrowForearmAbout();
   const double start_cost = start.Cost(start.state);
   double before = start_cost;
   bool refused = false;
@@ -166,7 +176,7 @@ TEST(ChainSolver, NeverRaisesTheCostAndLeavesTheStateWhoseCostItTells) {
     EXPECT_NEAR(summary.final_cost / start.Cost(state), 1.0, 1e-9) << most;
     EXPECT_LE(summary.iterations, most);
     EXPECT_LE(summary.final_cost, before * (1 + 1e-12)) << most;
-    refused = refused || summary.final_cost == before;
+    refused = refused || (most > 0 && !summary.converged && summary.final_cost == before);
     before = summary.final_cost;
   }
   EXPECT_TRUE(refused);  // so a step was taken back on the way
