@@ -40,8 +40,12 @@ std::string_view Name(ResidualKind kind) {
       return "prior";
     case ResidualKind::kSegmentLength:
       return "segment_length";
-    case ResidualKind::kGauge:
-      return "gauge";
+    case ResidualKind::kPlaceGauge:
+      return "place_gauge";
+    case ResidualKind::kHeadingGauge:
+      return "heading_gauge";
+    case ResidualKind::kStartHeading:
+      return "start_heading";
     case ResidualKind::kMarginalPrior:
       return "marginal_prior";
   }

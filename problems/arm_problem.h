@@ -35,7 +35,9 @@ enum class ResidualKind {
   kRangeOfMotion,
   kPrior,
   kSegmentLength,
-  kGauge,
+  kPlaceGauge,
+  kHeadingGauge,
+  kStartHeading,
   kMarginalPrior,
 };
 std::string_view Name(ResidualKind kind);
@@ -117,8 +119,10 @@ class ArmProblem {
   const std::vector<Unmodelled>& unmodelled() const { return unmodelled_; }
   void SetUnmodelled(const std::vector<Unmodelled>& unmodelled);
 
-  // Ties the heading of the first segment at the first knot to this attitude.
-  void FixHeading(const Eigen::Quaterniond& q_WB);
+  // Ties the headings at the first knot to those in `state`: the first segment's firmly, which fixes
+  // the gauge, the others' against the one before by kStartHeadingSigma.
+  static constexpr double kStartHeadingSigma = 2.0;  // [rad]
+  void FixHeadings(const State& state);
 
   // The time that a knot stands for: half of the intervals beside it [s].
   double KnotSpan(int knot) const;

@@ -1,18 +1,19 @@
 // The terms of the objective: where each residual gets its samples, unknowns and weight.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "problems/arm_problem.h"
 #include "problems/residuals/accelerometer.h"
 #include "problems/residuals/elbow_adduction.h"
 #include "problems/residuals/gyro_bias.h"
 #include "problems/residuals/gyroscope.h"
-#include "problems/residuals/heading_gauge.h"
 #include "problems/residuals/prior.h"
 #include "problems/residuals/range_of_motion.h"
 #include "problems/residuals/segment_chain.h"
 #include "problems/residuals/segment_length.h"
 #include "problems/residuals/shoulder_process.h"
+#include "problems/residuals/start_heading.h"
 #include "problems/residuals/start_pose.h"
 #include "problems/residuals/thorax_shoulder.h"
 #include "problems/residuals/zero_velocity.h"
@@ -267,7 +268,7 @@ void ArmProblem::AddBiasWalk(int sensor) {
 }
 
 void ArmProblem::AddStart() {
-  Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kGaugeSigma)), ResidualKind::kGauge,
+  Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kGaugeSigma)), ResidualKind::kPlaceGauge,
       {Root(0, 0)}, -1, 0, 0);
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
     Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma)), ResidualKind::kPrior,
@@ -299,16 +300,23 @@ void ArmProblem::SetUnmodelled(const std::vector<Unmodelled>& unmodelled) {
   }
 }
 
-void ArmProblem::FixHeading(const Eigen::Quaterniond& q_WB) {
+void ArmProblem::FixHeadings(const State& state) {
   std::erase_if(terms_, [](const Term& term) {
-    return term.kind == ResidualKind::kGauge && term.cost->num_residuals() == 1;
+    return term.kind == ResidualKind::kHeadingGauge || term.kind == ResidualKind::kStartHeading;
   });
-  terms_.insert(terms_.begin(), Term{std::unique_ptr<TangentCost>(MakeCost(HeadingGauge(q_WB))),
-                                     {Attitude(0, 0)},
-                                     ResidualKind::kGauge,
-                                     -1,
-                                     0,
-                                     0});
+  std::vector<Term> ties;
+  const auto start = [&](int sensor) {
+    return Eigen::Quaterniond(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, sensor)));
+  };
+  const auto tie = [&](TangentCost* cost, ResidualKind kind, std::vector<int> unknowns) {
+    ties.push_back({std::unique_ptr<TangentCost>(cost), std::move(unknowns), kind, -1, 0, 0});
+  };
+  tie(MakeCost(HeadingGauge(start(0))), ResidualKind::kHeadingGauge, {Attitude(0, 0)});
+  for (int sensor = 1; sensor < size_.sensors; ++sensor)
+    tie(MakeCost(RelativeStartHeading(start(sensor - 1), start(sensor), kStartHeadingSigma)),
+        ResidualKind::kStartHeading, {Attitude(0, sensor - 1), Attitude(0, sensor)});
+  terms_.insert(terms_.begin(), std::make_move_iterator(ties.begin()),
+                std::make_move_iterator(ties.end()));
 }
 
 }  // namespace brachium

@@ -85,6 +85,24 @@ class Spreads {
   TermSquare square_;
 };
 
+// Of the turn about the vertical of one sensor's segment against the one before it, at the first
+// knot, from the covariance of a front that holds both [rad].
+double RelativeHeadingSd(const ArmProblem& problem, const State& state, int sensor,
+                         const BlockIndex& index, const CovarianceView& covariance) {
+  double variance = 0.0;
+  for (const int a : {sensor - 1, sensor})
+    for (const int b : {sensor - 1, sensor}) {
+      const auto up = [&](int i) -> Eigen::Vector3d {
+        const Eigen::Map<const Eigen::Quaterniond> q_WB(state.Attitude(0, i));
+        return q_WB.conjugate() * Eigen::Vector3d::UnitZ();
+      };
+      const auto block = covariance.block<3, 3>(index.OffsetOf(problem.Attitude(0, a)),
+                                                index.OffsetOf(problem.Attitude(0, b)));
+      variance += (a == b ? 1.0 : -1.0) * up(a).dot(block * up(b));
+    }
+  return std::sqrt(std::max(variance, 0.0));
+}
+
 }  // namespace
 
 Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspace* workspace) {
@@ -96,6 +114,7 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspac
   Certainty certainty;
   certainty.singular = elimination.singular();
   certainty.root_sd.assign(U(problem.size().knots), 0.0);
+  certainty.start_heading_sd.assign(U(problem.size().sensors), 0.0);
   Spreads spreads(problem, state);
   const auto& terms = problem.terms();
   elimination.VisitCovariances(
@@ -108,6 +127,9 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspac
           if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
             certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
         }
+        for (int sensor = 1; knot == 0 && sensor < problem.size().sensors; ++sensor)
+          certainty.start_heading_sd[U(sensor)] =
+              RelativeHeadingSd(problem, state, sensor, index, covariance);
         auto term = std::lower_bound(terms.begin(), terms.end(), knot,
                                      [](const Term& t, int at) { return t.first_knot < at; });
         for (; term != terms.end() && term->first_knot == knot; ++term)

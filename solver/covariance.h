@@ -14,8 +14,10 @@ namespace brachium {
 struct Certainty {
   std::map<int, Eigen::VectorXd> constant_sd;  // by unknown: constants and gyro biases, their unit
   std::vector<double> root_sd;                 // of each knot's arm root, largest axis [m]
-  std::vector<Unmodelled> unmodelled;          // of each sensor
-  std::vector<int> singular;                   // unknowns that the information does not determine
+  // Of each sensor's start heading against the one before it [rad]; 0 for the first.
+  std::vector<double> start_heading_sd;
+  std::vector<Unmodelled> unmodelled;  // of each sensor
+  std::vector<int> singular;           // unknowns that the information does not determine
 };
 
 // Linearises the trial at `state`. Cost and memory are linear in its length; `workspace` as in Solve().

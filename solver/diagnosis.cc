@@ -159,6 +159,10 @@ std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty&
                           Seconds(timeline.NodeTime(first), timeline.NodeTime(node)));
     }
   }
+  for (int sensor = 1; sensor < problem.size().sensors; ++sensor)
+    if (certainty.start_heading_sd[U(sensor)] > kUninformed * ArmProblem::kStartHeadingSigma)
+      sentences.push_back("heading of the " + SegmentName(problem, sensor) + " against the " +
+                          SegmentName(problem, sensor - 1) + ", " + whole);
   if (problem.size().sensors == 1) return sentences;
   const double sigma = problem.observations().arm.shoulder.sigma;
   for (int knot = 0; knot < problem.size().knots; ++knot) {

@@ -100,8 +100,9 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
                           const Progress& progress) {
   WindowReport report;
   SetFirstKnot(problem, state);
-  problem.FixHeading(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, 0)));
+  problem.FixHeadings(state);
   ChooseStartHeadings(problem, state, options, report);
+  problem.FixHeadings(state);
 
   const Timeline& timeline = problem.timeline();
   const int last = timeline.Intervals();

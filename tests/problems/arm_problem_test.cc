@@ -193,8 +193,8 @@ TEST(ArmProblem, HasNoResidualWhereAStillArmIsWhatItIs) {
                                               .forearm_pronation = 1.2,
                                               .shoulder_elevation = ShoulderElevation(arm.q_WB[0])};
     ArmProblem problem = arm.Problem();
-    problem.FixHeading(arm.q_WB[0]);
     State truth = arm.Truth(problem);
+    problem.FixHeadings(truth);
     for (const Term& term : problem.terms())
       EXPECT_LT(ResidualOf(term, problem, truth).norm(), 1e-6)
           << Name(term.kind) << " at knot " << term.first_knot;
@@ -278,15 +278,19 @@ TEST(ArmProblem, WeighsTheChainsAnewByTheirQuiver) {
   EXPECT_NEAR(cost(), before / 9, 1e-9 * before);
 }
 
-TEST(ArmProblem, HasOneHeadingGaugeHoweverOftenItIsFixed) {
+TEST(ArmProblem, TiesEachHeadingOnceHoweverOftenItIsFixed) {
   const StillArm arm(kElbow);
   ArmProblem problem = arm.Problem();
-  const int without = Count(problem, ResidualKind::kGauge);
-  problem.FixHeading(arm.q_WB[0]);
-  problem.FixHeading(AngleAxisd(1.0, Vector3d::UnitZ()) * arm.q_WB[0]);
-  EXPECT_EQ(Count(problem, ResidualKind::kGauge), without + 1);
-  State truth = arm.Truth(problem);
-  EXPECT_NEAR(ResidualOf(problem.terms().front(), problem, truth)[0], -1000.0, 1e-6);
+  State truth = arm.Truth(problem), turned = truth;
+  for (int sensor = 0; sensor < 2; ++sensor)
+    Eigen::Map<Quaterniond>{turned.Attitude(0, sensor)} =
+        AngleAxisd(1.0, Vector3d::UnitZ()) * arm.q_WB[static_cast<std::size_t>(sensor)];
+  problem.FixHeadings(truth);
+  problem.FixHeadings(turned);
+  EXPECT_EQ(Count(problem, ResidualKind::kHeadingGauge), 1);
+  EXPECT_EQ(Count(problem, ResidualKind::kStartHeading), 1);
+  EXPECT_NEAR(ResidualOf(problem.terms()[0], problem, truth)[0], -1000.0, 1e-6);
+  EXPECT_NEAR(ResidualOf(problem.terms()[1], problem, truth)[0], 0.0, 1e-9);
 }
 
 TEST(ResidualKind, HasANameForEveryKind) {

@@ -56,7 +56,7 @@ struct Started {
   }
   int Last() const { return problem.timeline().Intervals(); }
 
-  void ExpectTheSameMinimumByBothSolvers(double share_of_sd = 1e-3) {
+  void ExpectTheSameMinimumByBothSolvers() {
     State by_chain = state, by_ceres = state;
     const SolveSummary chain = Solve(problem, by_chain, {}, 0, Last(), kByChain);
     const SolveSummary ceres = Solve(problem, by_ceres, {}, 0, Last(), kByCeres);
@@ -64,7 +64,7 @@ struct Started {
     EXPECT_TRUE(ceres.converged) << ceres.message;
     EXPECT_NEAR(chain.initial_cost / ceres.initial_cost, 1.0, 1e-12);
     EXPECT_NEAR(chain.final_cost / ceres.final_cost, 1.0, 1e-9);
-    EXPECT_LT(LargestShareOfSd(problem, by_chain, by_ceres), share_of_sd);
+    EXPECT_LT(LargestShareOfSd(problem, by_chain, by_ceres), 1e-3);
   }
 };
 
@@ -95,15 +95,11 @@ TEST(BothSolvers, ReachTheSameMinimumOfOneSensor) {
   Started(trial.observations).ExpectTheSameMinimumByBothSolvers();
 }
 
-// Where the thorax stands still the cost hardly bends along one direction, and steps stay short.
 TEST(BothSolvers, ReachTheSameMinimumOfALongerChain) {
   const Scenario scenario = MakeScenario(BriskScenario(16));
   Trial trial = Simulate(scenario, {}).trial;
   AddHand(scenario, trial);
-  AddThorax(scenario, trial);
-  std::rotate(trial.observations.recordings.begin(), trial.observations.recordings.end() - 1,
-              trial.observations.recordings.end());
-  Started(trial.observations).ExpectTheSameMinimumByBothSolvers(1e-2);
+  Started(trial.observations).ExpectTheSameMinimumByBothSolvers();
 }
 
 class BothSolversOnARig : public testing::TestWithParam<std::string> {};
@@ -126,7 +122,7 @@ struct Turned {
 
   explicit Turned(double heading) : problem(CutTrial(), {}, 0.1), state(problem.PriorState()) {
     SetFirstKnot(problem, state);
-    problem.FixHeading(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, 0)));
+    problem.FixHeadings(state);
     TurnFirstKnot(state, 1, heading);
     DeadReckon(problem, state, 0, Last());
   }

@@ -23,7 +23,7 @@ struct Stretch {
 
   Stretch() : problem(CutTrial(), {.bias_node_spacing_s = 0.3}, 0.1), state(problem.PriorState()) {
     SetFirstKnot(problem, state);
-    problem.FixHeading(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, 0)));
+    problem.FixHeadings(state);
     DeadReckon(problem, state, 0, problem.timeline().Intervals());
   }
 
@@ -179,8 +179,7 @@ TEST(Elimination, CarriesOnOfTheHeadingOnlyTheShareOfTheGauge) {
   const CarriedPrior prior = stretch.Eliminated({}, 0, kEnd).Carry();
   DenseInformation without(stretch.problem);
   for (const Term& term : stretch.problem.terms())
-    if (term.first_knot < kEnd &&
-        !(term.kind == ResidualKind::kGauge && term.cost->num_residuals() == 1))
+    if (term.first_knot < kEnd && !(term.kind == ResidualKind::kHeadingGauge))
       without.Add(*term.cost, term.unknowns, stretch.problem, stretch.state);
   const std::vector<int> K = without.RowsOf(stretch.problem, prior.unknowns);
   const std::set<int> stays(K.begin(), K.end());

@@ -19,7 +19,7 @@ struct Stretch {
 
   Stretch() : problem(CutTrial(), {.bias_node_spacing_s = 1.0}, 0.1), state(problem.PriorState()) {
     SetFirstKnot(problem, state);
-    problem.FixHeading(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, 0)));
+    problem.FixHeadings(state);
     DeadReckon(problem, state, 0, Last());
   }
   int Last() const { return problem.timeline().Intervals(); }

@@ -125,7 +125,7 @@ TEST(StartHeadings, LeadToTheSameMinimumWhateverTheFirstGuess) {
     ArmProblem problem(observations, {}, 0.05);
     State state = problem.PriorState();
     SetFirstKnot(problem, state);
-    problem.FixHeading(Attitude(state.Attitude(0, 0)));
+    problem.FixHeadings(state);
     TurnFirstKnot(state, 1, turn);
     WindowReport report;
     ChooseStartHeadings(problem, state, {}, report);
@@ -146,7 +146,7 @@ TEST(StartHeadings, AreNotTriedWhereTheStartPoseSettlesThem) {
     ArmProblem problem(observations, {}, 0.1);
     State state = problem.PriorState();
     SetFirstKnot(problem, state);
-    problem.FixHeading(Attitude(state.Attitude(0, 0)));
+    problem.FixHeadings(state);
     WindowReport report;
     ChooseStartHeadings(problem, state, {}, report);
     EXPECT_EQ(report.iterations == 0, told);

@@ -1,4 +1,4 @@
-#include "problems/residuals/heading_gauge.h"
+#include "problems/residuals/start_heading.h"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +46,27 @@ TEST(HeadingGauge, DerivativesAgreeNearTheStartGuessAndFarFromIt) {
         DerivativesAgree(HeadingGauge(q_start, 0.1), {Near(q_start, angle, random).coeffs()}))
         << angle;
   }
+}
+
+TEST(RelativeStartHeading, SeesATurnOfOneSegmentAndNotOneOfTheWhole) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20; ++i) {
+    const Quaterniond a = RandomRotation(random), b = RandomRotation(random);
+    const Quaterniond q_turn(AngleAxisd(0.5, Vector3d::UnitZ()));
+    const RelativeStartHeading residual(a, b, 2.0);
+    const Quaterniond turned_a = q_turn * a, turned_b = q_turn * b;
+    EXPECT_NEAR(ResidualAt(residual, {turned_a.coeffs(), turned_b.coeffs()})[0], 0.0, 1e-9);
+    EXPECT_NEAR(ResidualAt(residual, {a.coeffs(), turned_b.coeffs()})[0], 0.25, 1e-9);
+    EXPECT_NEAR(ResidualAt(residual, {turned_a.coeffs(), b.coeffs()})[0], -0.25, 1e-9);
+  }
+}
+
+TEST(RelativeStartHeading, DerivativesAgree) {
+  std::mt19937 random(1);
+  const Quaterniond a = RandomRotation(random), b = RandomRotation(random);
+  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(RelativeStartHeading(a, b, 2.0)));
+  EXPECT_TRUE(DerivativesAgree(RelativeStartHeading(a, b, 2.0),
+                               {Near(a, 0.3, random).coeffs(), Near(b, 1.0, random).coeffs()}));
 }
 
 }  // namespace
