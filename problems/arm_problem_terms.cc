@@ -83,8 +83,8 @@ void ArmProblem::AddGyroscope(int knot, int sensor) {
   const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
   const int node = timeline_.NodeBefore(middle);
   const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
-                          2 * options_.unmodelled_correlation_s *
-                              Square(options_.gyro_scale_wobble) * interval.rate_squared +
+                          2 * options_.unmodelled_correlation_s * Square(options_.gyro_cross_axis) *
+                              interval.rate_squared +
                           interval.gyro_gap_variance;
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();

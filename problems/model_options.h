@@ -16,8 +16,8 @@ struct ModelOptions {
   double range_of_motion_sigma_deg = 5.0;
   double rest_sway_deg = 0.05;
   double gyro_scale_sigma = 0.003;
-  double gyro_scale_wobble = 0.0005;
-  double accel_scale_sigma = 0.01;
+  double gyro_cross_axis = 0.003;
+  double accel_scale_sigma = 0.005;
   double unmodelled_acceleration = 0.1;
   double unmodelled_quiver = 0.001;
   double unmodelled_correlation_s = 0.1;
@@ -44,8 +44,10 @@ struct ModelOptions {
           "Least rms turn of a segment to and fro in a rest [deg].");
     visit("gyro_scale_sigma", options.gyro_scale_sigma,
           "Relative scale error of each gyroscope axis, estimated [1].");
-    visit("gyro_scale_wobble", options.gyro_scale_wobble,
-          "Relative error of the gyroscopes that is not constant: bent scales, cross-axis [1].");
+    visit(
+        "gyro_cross_axis", options.gyro_cross_axis,
+        "Error of the gyroscopes that grows with the rate and is no constant scale [1]: axes that "
+        "are not square to each other or not the accelerometer's, bent scales.");
     visit("accel_scale_sigma", options.accel_scale_sigma,
           "Relative scale error of each accelerometer axis, estimated [1].");
     visit("unmodelled_acceleration", options.unmodelled_acceleration,
