@@ -79,6 +79,8 @@ class FrontPlan {
              const TermRange& range);
 
   const std::vector<Variable>& variables() const { return variables_; }
+  // Of an unknown's variable; -1 where the plan has none.
+  int IndexOf(int unknown) const { return variable_of_[static_cast<std::size_t>(unknown)]; }
   const std::vector<Front>& fronts() const { return fronts_; }
   int columns() const { return columns_; }                // of all variables
   std::size_t storage() const { return storage_; }        // numbers that the factor takes
