@@ -14,7 +14,7 @@ struct SmootherOptions {
   bool whole_trial = true;
   double window_s = 5.0;
   double window_advance_s = 2.5;
-  int weight_iterations = 3;
+  int weight_iterations = 2;
   std::string solver = "chain";
   int threads = 1;
   ModelOptions model;
