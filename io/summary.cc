@@ -91,6 +91,8 @@ Json Conventions() {
        "axes after ISB on both sides: x anterior (volar), y proximal along the segment, "
        "z to the person's right"},
       {"NAME_qw.._qz", "Hamilton unit quaternion that takes vectors from segment to world axes"},
+      {"NAME_rx_sd_deg.._rz_sd_deg",
+       "standard deviation of that rotation about the segment's own axes"},
       {"NAME_px.._pz",
        "position of a joint in the world [m]; with one recording alone, of its sensor"},
       {"angles",

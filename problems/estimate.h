@@ -65,6 +65,7 @@ struct Estimate {
   Side side = Side::kRight;
   std::vector<double> time;  // [s]
   std::map<Segment, std::vector<Eigen::Quaterniond>> q_WB;
+  std::map<Segment, std::vector<Eigen::Vector3d>> sd_B;     // of q_WB's error, segment axes [rad]
   std::map<std::string, std::vector<Eigen::Vector3d>> p_W;  // by name as in Reference [m]
   Diagnostics diagnostics;
   std::vector<StageTime> timing;
