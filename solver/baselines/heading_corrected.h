@@ -31,7 +31,7 @@ namespace brachium {
 struct HeadingCorrectedOptions {
   LuingeUnconstrainedOptions filter;
   double heading_window_s = 8.0;
-  double heading_time_constant_s = 5.0;
+  double heading_time_constant_s = 10.0;
 
   bool IsValid(std::string* why) const;
 

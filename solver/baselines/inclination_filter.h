@@ -14,7 +14,8 @@
 //           order (a sample is a mean; the state stands at its centre); a gap is bridged by the
 //           neighbours' mean with the variance it deserves, and a forgotten acceleration; the
 //           acceleration is carried in W. As in the paper, errors of a⁺ and of θ are taken as
-//           independent though they are nearly the same: claimed inclinations are too certain.
+//           independent though they are nearly the same: inclinations are claimed too certain, and
+//           wrong ones righted slowly, the more so the lower f is.
 // Source    Luinge & Veltink, Med. Biol. Eng. Comput. 43 (2005) 273-282.
 #pragma once
 

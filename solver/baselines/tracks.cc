@@ -17,7 +17,7 @@ constexpr double kInclinationSpan = 2.0;             // of specific force [s]
 constexpr double kInclinationSigma = 2 * kDegree;    // left by the acceleration in that span
 constexpr double kEqualHeadingSigma = 45 * kDegree;  // where no start pose was told
 constexpr double kFirstHeadingSigma = 1e-3;          // a gauge [rad]
-constexpr double kLeastSway = 0.05 * kDegree;        // to and fro of a segment that rests
+constexpr double kLeastSway = 0.05 * kDegree;        // rms, to and fro, of a segment that rests
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Quaterniond MountingOf(const Recording& recording) {
@@ -38,24 +38,24 @@ Track TrackFrom(const Recording& recording) {
   return {.recording = std::move(turned), .samples = std::move(samples)};
 }
 
-// Mean rate over the rests, weighted by 1/variance; what a rest tells of the bias is limited by
-// white noise and by the sway: N²/(2T) + 2 (sway/T)². Rests of a rocking sensor tell nothing.
-void SetBias(Track& track, const std::vector<RestInterval>& rests) {
+// Mean rate over the rests beside a prior of zero, each weighted by 1/variance. What a rest tells of
+// the bias is limited by white noise and by the sway: N²/(2T) + 2 (sway/T)². Whether the rests told
+// more than the prior.
+bool SetBias(Track& track, const std::vector<RestInterval>& rests) {
   const ImuNoise& noise = track.recording.noise;
-  track.gyro_bias_sigma = noise.gyro_bias_sigma;
-  double weights = 0.0;
+  const double prior = 1 / (noise.gyro_bias_sigma * noise.gyro_bias_sigma);
+  double weights = prior;
   Vector3d sum = Vector3d::Zero();
   for (const RestInterval& rest : rests) {
-    if (rest.slack > 1.0) continue;
-    const double T = rest.end - rest.start, sway = std::max(rest.sway, kLeastSway);
+    const double T = rest.end - rest.start, sway = std::max(rest.sway, kLeastSway * rest.slack);
     const double variance =
         0.5 * noise.gyro_density * noise.gyro_density / T + 2 * (sway / T) * (sway / T);
     weights += rest.probability / variance;
     sum += rest.mean_rate * (rest.probability / variance);
   }
-  if (weights == 0.0) return;
   track.gyro_bias = sum / weights;
-  track.gyro_bias_sigma = std::min(track.gyro_bias_sigma, 1 / std::sqrt(weights));
+  track.gyro_bias_sigma = 1 / std::sqrt(weights);
+  return weights > 2 * prior;
 }
 
 void SetInclination(Track& track, double start, double end) {
@@ -123,10 +123,9 @@ Tracks StartTracks(const Observations& observations) {
     const auto rests = DetectRests(track.recording, {});
     for (const RestInterval& rest : rests)
       tracks.rests.push_back({track.recording.segment, rest.start, rest.end, rest.probability});
-    SetBias(track, rests);
-    if (track.gyro_bias.isZero(0.0))
+    if (!SetBias(track, rests))
       tracks.notes.push_back("no rest tells the gyro bias of the " +
-                             std::string(Name(track.recording.segment)) + ": it starts as zero");
+                             std::string(Name(track.recording.segment)) + ": it starts near zero");
     SetInclination(track, tracks.start, tracks.end);
   }
   SetHeadings(tracks, observations);

@@ -32,7 +32,7 @@ struct Tracks {
 
 // Where all begin, at the first instant that every recording covers:
 //   gyro bias    mean rate over the rests of the whole recording, each weighted by how well it tells
-//                it; zero where there is no rest;
+//                it, beside a prior of zero: zero where there is no rest;
 //   inclination  from the specific force of the first two seconds, turned back by the gyroscope;
 //   heading      of the x axis of every segment: zero; with a told start pose the forearm's is
 //                turned to it, at its instant.

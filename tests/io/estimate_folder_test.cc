@@ -137,6 +137,7 @@ TEST(EstimateFolder, HasNoColumnForWhatIsNotEstimated) {
   Estimate estimate = MakeEstimate();
   estimate.q_WB.erase(Segment::kUpperArm);
   estimate.p_W.clear();
+  estimate.sd_B.clear();
   WriteEstimate(here.File("e"), estimate, MakeRun(), false);
   EXPECT_EQ(ReadCsv(here.File("e/estimate.csv")).names.size(), 5u);
 }
