@@ -15,6 +15,8 @@
 //
 // Departs   from the papers, where the filter is causal, in that a window is centred on its instant;
 //           six-axis orientations are the 2005 filter's; the rating is the information itself.
+// Defaults  from the campaign of luinge.h, windows of 4 to 16 s and τ of 2 to 40 s: the window hardly
+//           matters; a long τ is better where rests told the bias, and lags behind a drift by τ/r.
 // Blind to  the heading where r = 0: a straight hanging arm, or a vertical flexion axis. Two
 //           headings fit one posture; the start decides between them.
 // Source    Laidig, Müller & Seel, Current Directions in Biomedical Engineering 3 (2017) 167-170;

@@ -16,8 +16,9 @@
 //           acceleration is carried in W. Errors of a⁺ and of θ are taken as independent though they
 //           are nearly the same. Inclinations are therefore claimed too certain, and wrong ones
 //           righted slowly, the more so the lower f is: with the correlation, H = (1 - c) Bᵀ[Z_G]x
-//           and cov(n) = (σ_a² (1 - c²) + s² (1 + c²)) I / g², simulated inclinations were a tenth to
-//           a quarter better.
+//           and cov(n) = (σ_a² (1 - c²) + s² (1 + c²)) I / g², simulated inclinations were one to
+//           three tenths better; but the elbow's constraint, too certain itself, then bent them more,
+//           and `luinge` was a quarter worse.
 // Source    Luinge & Veltink, Med. Biol. Eng. Comput. 43 (2005) 273-282.
 #pragma once
 

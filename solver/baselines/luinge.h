@@ -10,7 +10,7 @@
 // from recording.noise; cutoff and sigma of the acceleration from a simulated campaign (daily_brisk
 // and daily_slow of 60 s, five seeds each, scale errors of 0.3 %, axes 0.2 deg off), over cutoffs of
 // 0.25 to 4 Hz and sigmas of 0.7 to 8 m/s². From 2 Hz and 2 m/s² upwards the forearm in the upper arm
-// is within 1.4 to 1.7 deg; a lower cutoff costs some tenths, 0.7 m/s² fails on brisk movement (7 deg
+// is within 1.4 to 1.7 deg; a lower cutoff costs up to a degree, 0.7 m/s² fails on brisk movement (7 deg
 // and more).
 // Start and gyro bias: tracks.h.
 #pragma once
