@@ -42,6 +42,14 @@ Json Rests(const Diagnostics& diagnostics) {
   return json;
 }
 
+Json Epochs(const Diagnostics& diagnostics) {
+  Json json = Json::array();
+  for (const Epoch& epoch : diagnostics.epochs)
+    json.push_back(
+        {{"segment", Name(epoch.segment)}, {"start_s", epoch.start}, {"end_s", epoch.end}});
+  return json;
+}
+
 Json Figures(const Diagnostics& diagnostics) {
   Json json = Json::object();
   for (const Figure& figure : diagnostics.figures) json[figure.name] = figure.value;
@@ -123,6 +131,7 @@ Json SummaryOf(const Estimate& estimate, const RunInfo& run) {
           {"residuals", Residuals(diagnostics)},
           {"constants", Constants(diagnostics)},
           {"rests", Rests(diagnostics)},
+          {"epochs", Epochs(diagnostics)},
           {"figures", Figures(diagnostics)},
           {"held_by_prior", diagnostics.held_by_prior},
           {"notes", diagnostics.notes},

@@ -21,6 +21,18 @@ std::unique_ptr<Estimator> Make(const LuingeRtsOptions& options) {
 std::unique_ptr<Estimator> Make(const HeadingCorrectedOptions& options) {
   return std::make_unique<HeadingCorrected>(options);
 }
+std::unique_ptr<Estimator> Make(const ZhouOptions& options) {
+  return std::make_unique<Zhou>(options);
+}
+std::unique_ptr<Estimator> Make(const BaiKinematicOptions& options) {
+  return std::make_unique<BaiKinematic>(options);
+}
+std::unique_ptr<Estimator> Make(const BaiDeadReckoningOptions& options) {
+  return std::make_unique<BaiDeadReckoning>(options);
+}
+std::unique_ptr<Estimator> Make(const BaiDeadReckoningZuptOptions& options) {
+  return std::make_unique<BaiDeadReckoning>(options);
+}
 
 }  // namespace
 
@@ -31,12 +43,24 @@ std::optional<MethodOptions> DefaultOptions(const std::string& method) {
   if (method == "luinge") return LuingeOptions{};
   if (method == "luinge_rts") return LuingeRtsOptions{};
   if (method == "heading_corrected") return HeadingCorrectedOptions{};
+  if (method == "zhou") return ZhouOptions{};
+  if (method == "bai_kinematic") return BaiKinematicOptions{};
+  if (method == "bai_dead_reckoning") return BaiDeadReckoningOptions{};
+  if (method == "bai_dead_reckoning_zupt") return BaiDeadReckoningZuptOptions{};
   return std::nullopt;
 }
 
 std::vector<std::string> MethodNames() {
-  return {"smoother", "gyroscope",  "luinge_unconstrained",
-          "luinge",   "luinge_rts", "heading_corrected"};
+  return {"smoother",
+          "gyroscope",
+          "luinge_unconstrained",
+          "luinge",
+          "luinge_rts",
+          "heading_corrected",
+          "zhou",
+          "bai_kinematic",
+          "bai_dead_reckoning",
+          "bai_dead_reckoning_zupt"};
 }
 
 std::unique_ptr<Estimator> MakeEstimator(const MethodOptions& options) {
