@@ -48,6 +48,10 @@ const std::map<std::string, Ideals> kIdeals = {
     {"luinge", {2 * kDegree, 0.0}},
     {"luinge_rts", {2 * kDegree, 0.0}},
     {"heading_corrected", {2 * kDegree}},
+    {"zhou", {80 * kDegree}},  // its high-pass forgets every posture that is held
+    {"bai_kinematic", {2 * kDegree}},
+    {"bai_dead_reckoning", {2 * kDegree}},
+    {"bai_dead_reckoning_zupt", {2 * kDegree}},
 };
 
 // An arm for which every relation of the model holds, recorded and told without an error.
