@@ -60,10 +60,9 @@ std::string CalibrationText(const Calibration& calibration) {
   for (const SegmentCalibration& segment : calibration.segments) {
     const std::string name(Name(segment.segment));
     const Eigen::Quaterniond& q = segment.mounting.q_BS;
-    table.Add(
-        {name,
-         Fixed(q.w(), 4) + " " + Fixed(q.x(), 4) + " " + Fixed(q.y(), 4) + " " + Fixed(q.z(), 4),
-         Fixed(segment.mounting.q_sigma / kDegree, 2)});
+    std::string rotation = Fixed(q.w(), 4);
+    for (const double value : {q.x(), q.y(), q.z()}) rotation.append(" ").append(Fixed(value, 4));
+    table.Add({name, rotation, Fixed(segment.mounting.q_sigma / kDegree, 2)});
     for (const Figure& figure : segment.figures)
       figures.Add({name, figure.name, Fixed(figure.value, 2)});
   }

@@ -51,6 +51,9 @@ class Bench {
     mean = Average(told);
     Add(axis + "_repetitions", mean.count);
     Add(axis + "_spread_deg", mean.spread / kDegree);
+    if (mean.count == 1)
+      result_.notes.push_back(name_ + ": one repetition of " + needed +
+                              ", so nothing is known of how well it repeats");
     if (mean.worst <= limits_.largest_misfit) return true;
     Refuse("the repetitions of " + needed + " tell directions up to " + Degrees(mean.worst) +
            " from their mean: some turn the other way or about another axis");
@@ -173,7 +176,7 @@ void CalibrateWithoutMovements(Bench bench, const Recording& recording,
                            ": nothing is labelled for it; the mounting in trial.json is kept");
   else
     bench.Refuse("no mounting in trial.json and no movement to find it from; label " +
-                 MovementsFor(recording.segment));
+                 MovementsFor(recording.segment) + ", or give its q_BS_wxyz");
 }
 
 }  // namespace

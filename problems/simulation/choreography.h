@@ -15,8 +15,7 @@ struct Movement {
   double start = 0.0;
   double duration = 0.0;
   JointValues target{};
-  std::string
-      label;  // of an interval of the trial, with half of the rests before and after; or none
+  std::string label{};  // of an interval, with half of the rests at both ends
 };
 
 // The shortest time in which the scenario moves and comes home [s].

@@ -122,7 +122,8 @@ std::vector<Epoch> DetectEpochs(const Tracks& tracks, const Track& track,
       frames, track.recording.noise, track.samples.Period(), LongestRest(tracks, segment), options);
   std::vector<Epoch> epochs;
   for (const auto& [first, last] : FindEpochs(frames, thresholds))
-    epochs.push_back({segment, frames[first].start, frames[last].end});
+    epochs.push_back({segment, frames[first].start,
+                      last + 1 == frames.size() ? track.samples.End() : frames[last].end});
   return epochs;
 }
 

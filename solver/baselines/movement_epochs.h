@@ -71,7 +71,8 @@ EpochThresholds ThresholdsFor(const std::vector<Frame>& frames, const ImuNoise& 
 std::vector<std::pair<std::size_t, std::size_t>> FindEpochs(const std::vector<Frame>& frames,
                                                             const EpochThresholds& thresholds);
 
-// All of the above for one segment, with its rests among those of the tracks.
+// All of the above for one segment, with its rests among those of the tracks. An epoch of the last
+// frame lasts to the end of the recording.
 std::vector<Epoch> DetectEpochs(const Tracks& tracks, const Track& track,
                                 const EpochOptions& options);
 

