@@ -27,6 +27,10 @@ BENCHMARK_CAPTURE(RunMethod, luinge_unconstrained, "luinge_unconstrained")
 BENCHMARK_CAPTURE(RunMethod, luinge, "luinge")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(RunMethod, luinge_rts, "luinge_rts")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(RunMethod, heading_corrected, "heading_corrected")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunMethod, zhou, "zhou")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunMethod, bai_kinematic, "bai_kinematic")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunMethod, bai_dead_reckoning_zupt, "bai_dead_reckoning_zupt")
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace brachium
