@@ -30,6 +30,8 @@ struct Command {
 constexpr std::array kCommands = {
     Command{"reconstruct", RunReconstruct, "estimates the arm's motion from a trial folder"},
     Command{"evaluate", RunEvaluate, "compares an estimate with the trial's reference"},
+    Command{"calibrate", RunCalibrate,
+            "finds how sensors sit on their segments from labelled movements"},
     Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},
     Command{"simulate", RunSimulate, "writes a trial folder whose truth is known"},
 };

@@ -13,6 +13,7 @@ inline constexpr int kNotToBeTrusted = 3;
 
 int RunReconstruct(CommandLine& line);
 int RunEvaluate(CommandLine& line);
+int RunCalibrate(CommandLine& line);
 int RunInspect(CommandLine& line);
 int RunSimulate(CommandLine& line);
 

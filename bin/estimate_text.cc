@@ -33,7 +33,9 @@ std::string Outcome(const Diagnostics& diagnostics) {
   std::string text = diagnostics.converged ? "Converged" : "NOT converged";
   if (diagnostics.singular) text += ", information matrix SINGULAR";
   if (!diagnostics.termination.empty()) text += ": " + diagnostics.termination;
-  return text + "\n" + std::to_string(diagnostics.iterations) + " iterations, cost " +
+  text += "\n";
+  if (diagnostics.iterations == 0) return text;  // a method of one pass
+  return text + std::to_string(diagnostics.iterations) + " iterations, cost " +
          Brief(diagnostics.initial_cost) + " to " + Brief(diagnostics.final_cost) +
          ", gradient norm " + Brief(diagnostics.gradient_norm) + "\n";
 }

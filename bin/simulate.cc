@@ -40,7 +40,8 @@ struct MovementFlags {
 
   template <typename Flags, typename Visitor>
   static void Visit(Flags& flags, Visitor&& visit) {
-    visit("scenario", flags.scenario, "The movement: daily_brisk, daily_slow, reach or shrug.");
+    visit("scenario", flags.scenario,
+          "The movement: daily_brisk, daily_slow, reach, shrug or calibration.");
     visit("side", flags.side, "The arm: right or left.");
     visit("seed", flags.seed,
           "Another number gives another movement and other errors; the same one the same trial, "
@@ -73,6 +74,7 @@ struct ErrorFlags {
   double lost_share = 0.0;
   double soft_tissue_deg = 0.0;
   bool tell_start_pose = true;
+  bool tell_mountings = true;
   bool tell_carrying_angle = false;
   bool tell_rests = false;
 
@@ -102,6 +104,8 @@ struct ErrorFlags {
           "Wobble of the sensors about the long axes, rms [deg]; across them two fifths of it, and "
           "1 mm of shift per degree. On people 3 and more.");
     visit("tell_start_pose", flags.tell_start_pose, "State the start pose in trial.json.");
+    visit("tell_mountings", flags.tell_mountings,
+          "State the mountings in trial.json; without them it needs brachium calibrate.");
     visit("tell_carrying_angle", flags.tell_carrying_angle,
           "State the true carrying angle in trial.json.");
     visit("tell_rests", flags.tell_rests, "State the rests at both ends in trial.json.");
@@ -172,6 +176,7 @@ SimulationOptions ErrorsFrom(const ErrorFlags& flags, int seed) {
   errors.lost_share = flags.lost_share;
   errors.soft_tissue = SoftTissueOf(flags.soft_tissue_deg * kDegree);
   errors.tell_start_pose = flags.tell_start_pose;
+  errors.tell_mountings = flags.tell_mountings;
   errors.tell_carrying_angle = flags.tell_carrying_angle;
   errors.tell_rests = flags.tell_rests;
   RequireValid(errors);

@@ -20,6 +20,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+// Of a rotation's error about each axis of its segment.
+constexpr std::array kDeviations = {"_rx_sd_deg", "_ry_sd_deg", "_rz_sd_deg"};
+
 using Rotations = std::vector<Eigen::Quaterniond>;
 
 // Collects the columns of the table, and holds the numbers that are made for it.
@@ -27,7 +30,11 @@ class Table {
  public:
   explicit Table(const Estimate& estimate) : estimate_(estimate) {
     columns_.push_back({"time_s", estimate.time.data(), 1});
-    for (const auto& [segment, q_WB] : estimate.q_WB) AddRotation(std::string(Name(segment)), q_WB);
+    for (const auto& [segment, q_WB] : estimate.q_WB) {
+      AddRotation(std::string(Name(segment)), q_WB);
+      if (const auto sd = estimate.sd_B.find(segment); sd != estimate.sd_B.end())
+        AddDeviations(std::string(Name(segment)), sd->second);
+    }
     for (const auto& [name, p_W] : estimate.p_W) AddPosition(name, p_W);
     AddElbow();
     AddShoulder();
@@ -44,6 +51,15 @@ class Table {
     columns_.push_back({name + "_qx", xyzw, 4});
     columns_.push_back({name + "_qy", xyzw + 1, 4});
     columns_.push_back({name + "_qz", xyzw + 2, 4});
+  }
+
+  void AddDeviations(const std::string& name, const std::vector<Eigen::Vector3d>& sd_B) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double>& degrees = made_.emplace_back();
+      degrees.reserve(sd_B.size());
+      for (const Eigen::Vector3d& sd : sd_B) degrees.push_back(sd[axis] / kDegree);
+      columns_.push_back({name + kDeviations[static_cast<std::size_t>(axis)], degrees.data(), 1});
+    }
   }
 
   void AddPosition(const std::string& name, const std::vector<Eigen::Vector3d>& p_W) {
@@ -137,6 +153,15 @@ Rotations ReadRotations(const CsvTable& table, const std::string& name) {
   return rotations;
 }
 
+std::vector<Eigen::Vector3d> ReadDeviations(const CsvTable& table, const std::string& name) {
+  std::vector<Eigen::Vector3d> sd_B(table.rows);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& degrees = table.Column(name + kDeviations[static_cast<std::size_t>(axis)]);
+    for (std::size_t row = 0; row < table.rows; ++row) sd_B[row][axis] = degrees[row] * kDegree;
+  }
+  return sd_B;
+}
+
 std::vector<Eigen::Vector3d> ReadPositions(const CsvTable& table, const std::string& name) {
   const auto &x = table.Column(name + "_px"), &y = table.Column(name + "_py"),
              &z = table.Column(name + "_pz");
@@ -153,13 +178,16 @@ void WriteEstimateCsv(const Estimate& estimate, const std::string& file) {
 }
 
 Estimate ReadEstimateCsv(const std::string& file) {
-  const CsvTable table =
-      ReadCsv(file, [](std::string_view name) { return !name.ends_with("_deg"); });
+  const CsvTable table = ReadCsv(file, [](std::string_view name) {
+    return !name.ends_with("_deg") || name.ends_with("_sd_deg");
+  });
   Estimate estimate;
   estimate.time = table.Column("time_s");
   for (const Segment segment : kSegments)
-    if (const std::string name(Name(segment)); table.Has(name + "_qw"))
+    if (const std::string name(Name(segment)); table.Has(name + "_qw")) {
       estimate.q_WB[segment] = ReadRotations(table, name);
+      if (table.Has(name + kDeviations[0])) estimate.sd_B[segment] = ReadDeviations(table, name);
+    }
   for (const std::string& column : table.names)
     if (column.ends_with("_px")) {
       const std::string name = column.substr(0, column.size() - 3);

@@ -1,15 +1,9 @@
 #include "io/evaluation_file.h"
 
-#include <stdio.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/file_bytes.h"
 #include "io/output_folder.h"
 #include "problems/arm_model.h"
 
@@ -141,22 +135,6 @@ Json ToJson(const ClockOffset& offset) {
           {"correlation", OrNull(offset.correlation)}};
 }
 
-// Puts the text in its place in one step.
-void WriteAside(const fs::path& path, const std::string& text) {
-  const fs::path draft = path.string() + ".partial." + std::to_string(getpid());
-  try {
-    OutputFile file(draft.string());
-    file.Append(text);
-    file.Close();
-    if (std::rename(draft.c_str(), path.c_str()) != 0)
-      throw OutputError(path.string() + ": cannot be written (" + std::strerror(errno) + ")");
-  } catch (const OutputError&) {
-    std::error_code ignored;
-    fs::remove(draft, ignored);
-    throw;
-  }
-}
-
 }  // namespace
 
 std::string EvaluationJson(const Evaluation& evaluation) {
@@ -182,17 +160,8 @@ std::string EvaluationJson(const Evaluation& evaluation) {
 }
 
 void WriteEvaluation(const std::string& folder, const Evaluation& evaluation, bool overwrite) {
-  const fs::path path = fs::path(folder) / "evaluation.json";
-  const std::string text = EvaluationJson(evaluation);
-  std::error_code error;
-  if (fs::exists(path, error)) {
-    if (fs::is_regular_file(path) && FileBytes(path.string()).text() == text) return;
-    if (!overwrite)
-      throw OutputExists(path.string() + ": exists; choose another folder, or say --overwrite");
-  }
-  fs::create_directories(folder, error);
-  if (error) throw OutputError(folder + ": cannot be written (" + error.message() + ")");
-  WriteAside(path, text);
+  WriteOneFile((fs::path(folder) / "evaluation.json").string(), EvaluationJson(evaluation),
+               overwrite);
 }
 
 }  // namespace brachium

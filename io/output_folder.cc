@@ -69,6 +69,22 @@ bool HoldsFolders(const std::string& folder) {
   return false;
 }
 
+// Puts the text in its place in one step.
+void WriteAside(const fs::path& path, std::string_view text) {
+  const fs::path draft = path.string() + ".partial." + std::to_string(getpid());
+  try {
+    OutputFile file(draft.string());
+    file.Append(text);
+    file.Close();
+    if (std::rename(draft.c_str(), path.c_str()) != 0)
+      throw OutputError(path.string() + ": cannot be written (" + std::strerror(errno) + ")");
+  } catch (const OutputError&) {
+    std::error_code ignored;
+    fs::remove(draft, ignored);
+    throw;
+  }
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path)
@@ -92,6 +108,18 @@ void OutputFile::Append(std::string_view bytes) {
 void OutputFile::Close() {
   if (fsync(fd_) != 0) FailWriting(path_);
   if (close(std::exchange(fd_, -1)) != 0) FailWriting(path_);
+}
+
+void WriteOneFile(const std::string& path, std::string_view text, bool overwrite) {
+  std::error_code error;
+  if (fs::exists(path, error)) {
+    if (fs::is_regular_file(path) && FileBytes(path).text() == text) return;
+    if (!overwrite) throw OutputExists(path + ": exists; choose another place, or say --overwrite");
+  }
+  const fs::path folder = fs::path(path).parent_path();
+  if (!folder.empty()) fs::create_directories(folder, error);
+  if (error) throw OutputError(folder.string() + ": cannot be written (" + error.message() + ")");
+  WriteAside(path, text);
 }
 
 void CheckReplaceable(const std::string& folder, const FolderKind& kind, bool overwrite) {

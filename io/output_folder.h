@@ -37,6 +37,10 @@ class OutputFile {
   int fd_;
 };
 
+// Puts a file in its place in one step; its folder is made if need be. The same bytes again are no
+// overwrite. Throws OutputExists and OutputError.
+void WriteOneFile(const std::string& path, std::string_view text, bool overwrite);
+
 // What a kind of folder holds besides its results proper.
 struct FolderKind {
   std::string what;             // "an estimate", for messages

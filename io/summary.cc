@@ -42,6 +42,14 @@ Json Rests(const Diagnostics& diagnostics) {
   return json;
 }
 
+Json Epochs(const Diagnostics& diagnostics) {
+  Json json = Json::array();
+  for (const Epoch& epoch : diagnostics.epochs)
+    json.push_back(
+        {{"segment", Name(epoch.segment)}, {"start_s", epoch.start}, {"end_s", epoch.end}});
+  return json;
+}
+
 Json Figures(const Diagnostics& diagnostics) {
   Json json = Json::object();
   for (const Figure& figure : diagnostics.figures) json[figure.name] = figure.value;
@@ -91,6 +99,8 @@ Json Conventions() {
        "axes after ISB on both sides: x anterior (volar), y proximal along the segment, "
        "z to the person's right"},
       {"NAME_qw.._qz", "Hamilton unit quaternion that takes vectors from segment to world axes"},
+      {"NAME_rx_sd_deg.._rz_sd_deg",
+       "standard deviation of that rotation about the segment's own axes"},
       {"NAME_px.._pz",
        "position of a joint in the world [m]; with one recording alone, of its sensor"},
       {"angles",
@@ -121,6 +131,7 @@ Json SummaryOf(const Estimate& estimate, const RunInfo& run) {
           {"residuals", Residuals(diagnostics)},
           {"constants", Constants(diagnostics)},
           {"rests", Rests(diagnostics)},
+          {"epochs", Epochs(diagnostics)},
           {"figures", Figures(diagnostics)},
           {"held_by_prior", diagnostics.held_by_prior},
           {"notes", diagnostics.notes},

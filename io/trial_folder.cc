@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kVersion = 1;
-constexpr std::array<std::string_view, 8> kTrialKeys = {"brachium_trial", "name",      "arm",
-                                                        "recordings",     "intervals", "start_pose",
-                                                        "reference",      "simulated"};
+constexpr std::array<std::string_view, 9> kTrialKeys = {
+    "brachium_trial", "name",      "arm",       "recordings", "intervals",
+    "start_pose",     "reference", "simulated", "calibration"};
 constexpr std::array<std::string_view, 5> kRecordingKeys = {"segment", "file", "format", "mounting",
                                                             "noise"};
 

@@ -30,6 +30,13 @@ struct Rest {
   double certainty = 1.0;  // probability that it is one
 };
 
+// A movement between two rests of one sensor.
+struct Epoch {
+  Segment segment = Segment::kUpperArm;
+  double start = 0.0;  // [s]
+  double end = 0.0;    // [s]
+};
+
 // A number that describes the run, named: "knots", "windows", "start_heading_deg", ...
 struct Figure {
   std::string name;
@@ -47,6 +54,7 @@ struct Diagnostics {
   std::vector<ResidualStatistics> residuals;
   std::vector<Constant> constants;
   std::vector<Rest> rests;
+  std::vector<Epoch> epochs;
   std::vector<Figure> figures;
   std::vector<std::string>
       held_by_prior;               // unknowns that the data did not inform, one sentence each
@@ -65,6 +73,7 @@ struct Estimate {
   Side side = Side::kRight;
   std::vector<double> time;  // [s]
   std::map<Segment, std::vector<Eigen::Quaterniond>> q_WB;
+  std::map<Segment, std::vector<Eigen::Vector3d>> sd_B;     // of q_WB's error, segment axes [rad]
   std::map<std::string, std::vector<Eigen::Vector3d>> p_W;  // by name as in Reference [m]
   Diagnostics diagnostics;
   std::vector<StageTime> timing;

@@ -1,5 +1,7 @@
 #include "problems/rotation.h"
 
+#include <Eigen/Eigenvalues>
+
 namespace brachium {
 
 Eigen::Matrix3d RightJacobian(const Eigen::Vector3d& phi) {
@@ -18,6 +20,13 @@ Eigen::Matrix3d InverseRightJacobian(const Eigen::Vector3d& phi) {
   if (a2 < 1e-8) return Eigen::Matrix3d::Identity() + 0.5 * S + (1.0 / 12 + a2 / 720) * S * S;
   const double a = std::sqrt(a2);
   return Eigen::Matrix3d::Identity() + 0.5 * S + (1 - 0.5 * a / std::tan(0.5 * a)) / a2 * S * S;
+}
+
+Eigen::Quaterniond MeanRotation(const std::vector<Eigen::Quaterniond>& rotations) {
+  Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+  for (const Eigen::Quaterniond& q : rotations) sum += q.coeffs() * q.coeffs().transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(sum);
+  return Eigen::Quaterniond(Eigen::Vector4d(solver.eigenvectors().col(3)));
 }
 
 }  // namespace brachium

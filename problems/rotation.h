@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 namespace brachium {
 
@@ -61,5 +62,10 @@ Eigen::Matrix3d InverseRightJacobian(const Eigen::Vector3d& phi);
 inline Eigen::Quaterniond RotationBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return Eigen::Quaterniond::FromTwoVectors(a, b);
 }
+
+// The rotation with the least sum of squared sines of half the angles to all of them, which need not
+// be near one another's sign. Requires at least one. Source: Markley et al., J. Guid. Control Dyn. 30
+// (2007).
+Eigen::Quaterniond MeanRotation(const std::vector<Eigen::Quaterniond>& rotations);
 
 }  // namespace brachium

@@ -88,16 +88,75 @@ std::vector<Movement> Shrug(double length, Draws& draws) {
   }
 }
 
+constexpr double kCalibrationRest = 0.6;  // between movements [s]
+
+// One after the other, with rests between.
+class Sequence {
+ public:
+  explicit Sequence(Draws& draws) : draws_(draws) {}
+
+  void Go(const JointValues& target, const std::string& label = "") {
+    const double duration = draws_.Uniform(0.9, 1.0);
+    movements_.push_back({time_, duration, target, label});
+    time_ += duration + kCalibrationRest;
+  }
+  void Repeat(const JointValues& from, const JointValues& to, const std::string& out,
+              const std::string& back) {
+    Go(from);
+    for (int repetition = 0; repetition < 5; ++repetition) {
+      Go(to, out);
+      Go(from, back);
+    }
+  }
+  const std::vector<Movement>& movements() const { return movements_; }
+
+ private:
+  Draws& draws_;
+  double time_ = 0.0;
+  std::vector<Movement> movements_;
+};
+
+std::vector<Movement> Calibration(double, Draws& draws) {
+  JointValues bent = StartPoseJoints();
+  bent[kShoulderAbduction] = 0.0;
+  bent[kElbowFlexion] = 90 * kDegree;
+  JointValues palm_down = bent, palm_up = bent, raised = bent, abducted = bent;
+  palm_down[kForearmPronation] = 180 * kDegree;
+  palm_up[kForearmPronation] = 20 * kDegree;
+  raised[kShoulderFlexion] = 45 * kDegree;
+  raised[kShoulderRotation] = -30 * kDegree;
+  JointValues rotated = raised;
+  rotated[kShoulderRotation] = 50 * kDegree;
+  abducted[kShoulderAbduction] = 70 * kDegree;
+  Sequence sequence(draws);
+  sequence.Repeat(palm_down, palm_up, "calibration:forearm_supination",
+                  "calibration:forearm_pronation");
+  sequence.Repeat(raised, rotated, "calibration:upper_arm_endorotation",
+                  "calibration:upper_arm_exorotation");
+  sequence.Repeat(bent, abducted, "calibration:upper_arm_abduction", "");
+  sequence.Go(StartPoseJoints());
+  return sequence.movements();
+}
+
 struct Choreography {
   std::string_view name;
   std::vector<Movement> (*compose)(double length, Draws& draws);
-  double time_scale;
-  double shoulder_share;  // of the options' shoulder rms
+  double time_scale = 1.0;
+  double shoulder_share = 1.0;   // of the options' shoulder rms
+  double adduction_share = 1.0;  // of the options' adduction rms
+  double shortest = 10.0;        // time that it needs, before the time scale [s]
 };
 
 constexpr std::array kChoreographies = {
-    Choreography{"daily_brisk", Daily, 1.0, 1.0}, Choreography{"daily_slow", Daily, 4.0, 1.0},
-    Choreography{"reach", Reach, 1.0, 0.5}, Choreography{"shrug", Shrug, 1.0, 0.1}};
+    Choreography{.name = "daily_brisk", .compose = Daily},
+    Choreography{.name = "daily_slow", .compose = Daily, .time_scale = 4.0},
+    Choreography{.name = "reach", .compose = Reach, .shoulder_share = 0.5},
+    Choreography{.name = "shrug", .compose = Shrug, .shoulder_share = 0.1},
+    Choreography{.name = "calibration",
+                 .compose = Calibration,
+                 .shoulder_share = 0.2,
+                 .adduction_share = 0.2,
+                 .shortest = 55.0}};
 
 const Choreography& Find(const std::string& name) {
   return *std::find_if(kChoreographies.begin(), kChoreographies.end(),
@@ -142,11 +201,20 @@ Motion JointMotion(Joint joint, const JointValues& start, const std::vector<Move
   return motion;
 }
 
+// What the scenario's movements are, in its own time.
+std::vector<Movement> Composed(const ScenarioOptions& options) {
+  const double length = (options.duration - kRestAtStart - kRestAtEnd) / TimeScale(options);
+  Draws path(options.seed, "path");
+  return Find(options.name).compose(length, path);
+}
+
 }  // namespace
 
 double TimeScale(const ScenarioOptions& options) {
   return options.time_scale * Find(options.name).time_scale;
 }
+
+double ShortestPerformance(const ScenarioOptions& options) { return Find(options.name).shortest; }
 
 std::vector<std::string> ScenarioNames() {
   std::vector<std::string> names;
@@ -165,13 +233,13 @@ JointValues StartPoseJoints() {
 std::array<Motion, kJointCount> Perform(const ScenarioOptions& options) {
   const Choreography& choreography = Find(options.name);
   const double time_scale = TimeScale(options);
-  const double length = (options.duration - kRestAtStart - kRestAtEnd) / time_scale;
-  Draws path(options.seed, "path"), wander(options.seed, "wander");
-  std::vector<Movement> movements = choreography.compose(length, path);
+  Draws wander(options.seed, "wander");
+  std::vector<Movement> movements = Composed(options);
   JointValues start = StartPoseJoints();
 
   const double shoulder_rms = choreography.shoulder_share * options.shoulder_rms;
-  AddWander(kElbowAdduction, Wander(movements.size(), options.adduction_rms, 0.5, wander), start,
+  const double adduction_rms = choreography.adduction_share * options.adduction_rms;
+  AddWander(kElbowAdduction, Wander(movements.size(), adduction_rms, 0.5, wander), start,
             movements);
   for (const Joint joint : {kShoulderForward, kShoulderUp, kShoulderRight})
     AddWander(joint, Wander(movements.size(), shoulder_rms, 0.8, wander), start, movements);
@@ -182,6 +250,18 @@ std::array<Motion, kJointCount> Perform(const ScenarioOptions& options) {
         JointMotion(static_cast<Joint>(i), start, movements, time_scale,
                     Draws(options.seed, "onset" + std::to_string(i)));
   return joints;
+}
+
+std::vector<Interval> LabelledIntervals(const ScenarioOptions& options) {
+  const double scale = TimeScale(options), margin = 0.5 * kCalibrationRest;
+  std::vector<Interval> intervals;
+  for (const Movement& m : Composed(options))
+    if (!m.label.empty())
+      intervals.push_back({m.label, kRestAtStart + scale * (m.start - margin),
+                           kRestAtStart + scale * (m.start + m.duration + margin)});
+  if (!intervals.empty())
+    intervals.insert(intervals.begin(), {"calibration:static_pose", 0.2, kRestAtStart - 0.2});
+  return intervals;
 }
 
 }  // namespace brachium

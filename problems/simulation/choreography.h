@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "problems/simulation/scenario.h"
@@ -14,10 +15,11 @@ struct Movement {
   double start = 0.0;
   double duration = 0.0;
   JointValues target{};
+  std::string label{};  // of an interval, with half of the rests at both ends
 };
 
-// The shortest time in which every scenario moves and comes home [s].
-inline constexpr double kShortestPerformance = 10.0;
+// The shortest time in which the scenario moves and comes home [s].
+double ShortestPerformance(const ScenarioOptions& options);
 
 // How many times slower than composed: the scenario's own slowness times the options'.
 double TimeScale(const ScenarioOptions& options);
@@ -25,5 +27,8 @@ double TimeScale(const ScenarioOptions& options);
 // The motion of each joint over the trial. Within a movement each joint starts and stops at moments
 // of its own. Requires options.IsValid().
 std::array<Motion, kJointCount> Perform(const ScenarioOptions& options);
+
+// The intervals of the labelled movements. Requires options.IsValid().
+std::vector<Interval> LabelledIntervals(const ScenarioOptions& options);
 
 }  // namespace brachium

@@ -123,7 +123,7 @@ Recording Record(const Scenario& scenario, const SimulationOptions& options, Sen
   const Vector3d turn =
       ErrorStream(scenario, options, "mounting_error", segment).OfLength(options.mounting_error);
   told.q_BS = told.q_BS * Exp<double>(turn);
-  recording.mounting = told;
+  if (options.tell_mountings) recording.mounting = told;
   AddSamples(scenario, options, sensor, recording);
   return recording;
 }

@@ -56,11 +56,11 @@ bool ScenarioOptions::IsValid(std::string* why) const {
   };
   if (!IsName(name)) return fail("scenario.name \"" + name + "\" is not a known scenario");
   if (!(time_scale > 0.0)) return fail("scenario.time_scale must be > 0");
-  const double shortest = kRestAtStart + kRestAtEnd + kShortestPerformance * TimeScale(*this);
+  const double shortest = kRestAtStart + kRestAtEnd + ShortestPerformance(*this) * TimeScale(*this);
   if (!(duration >= shortest))
     return fail(
-        "scenario.duration must be at least 5 s for the rests and 10 s (daily_slow: 40 s) x "
-        "time_scale");
+        "scenario.duration must be at least 5 s for the rests and 10 s (daily_slow: 40 s, "
+        "calibration: 55 s) x time_scale");
   if (!(adduction_rms >= 0.0)) return fail("scenario.adduction_rms must be >= 0 rad");
   if (!(shoulder_rms >= 0.0)) return fail("scenario.shoulder_rms must be >= 0 m");
   if (!(std::abs(carrying_angle) + std::abs(carrying_slope) < std::numbers::pi / 4))
@@ -79,7 +79,8 @@ Scenario MakeScenario(const ScenarioOptions& options) {
       .joints = Perform(options),
       .trunk_heading =
           Draws(options.seed, "trunk_heading").Uniform(-std::numbers::pi, std::numbers::pi),
-      .length = {{Segment::kUpperArm, 0.31}, {Segment::kForearm, 0.26}}};
+      .length = {{Segment::kUpperArm, 0.31}, {Segment::kForearm, 0.26}},
+      .intervals = LabelledIntervals(options)};
   return scenario;
 }
 

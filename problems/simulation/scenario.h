@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "problems/arm_model.h"
+#include "problems/observations.h"
 #include "problems/simulation/rigid_motion.h"
 
 namespace brachium {
@@ -39,6 +40,11 @@ struct ScenarioOptions {
 // "daily_slow": the same path four times slower.
 // "reach": the elbow flexes to 100 deg, the arm reaches forward, and both come back; repeatedly.
 // "shrug": the shoulder rises 8 cm and comes back, the arm hanging; pauses of 0.2-4 s.
+// "calibration": five times each, still in between, the movements by which sensors are calibrated
+//     (calibrate.h): supination and pronation with the elbow at 90 deg, from palm down to palm nearly
+//     up and back; endo- and exorotation of a raised upper arm; abduction of a hanging one, elbow at
+//     90 deg. Each is a labelled interval that has a rest at both ends; the rest at the start is a
+//     static pose. The elbow's adduction and the shoulder wander a fifth as far as elsewhere.
 // Each begins with kRestAtStart in the start pose and ends at rest in it, for kRestAtEnd or longer.
 std::vector<std::string> ScenarioNames();
 
@@ -78,6 +84,7 @@ struct Scenario {
   std::array<Motion, kJointCount> joints;  // of the right arm
   double trunk_heading = 0.0;              // of the right arm's world [rad]
   std::map<Segment, double> length;        // true lengths [m]
+  std::vector<Interval> intervals;         // labelled movements
 
   ArmMotion At(double t) const;  // t in s, exact at any time
 };

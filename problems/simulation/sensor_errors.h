@@ -49,6 +49,7 @@ struct SimulationOptions {
   SoftTissue soft_tissue;
 
   bool tell_start_pose = true;
+  bool tell_mountings = true;        // false: no recording has one, as before a calibration
   bool tell_carrying_angle = false;  // the true k0, as prior mean; otherwise the anatomical default
   bool tell_rests = false;           // the rests at both ends as "rest" intervals
 

@@ -125,7 +125,9 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
                std::to_string(scenario.options.seed);
   trial.observations.arm = ToldArm(right, options);
   if (options.tell_start_pose) trial.observations.start_pose = ToldStartPose(right, options);
-  if (options.tell_rests) trial.observations.intervals = Rests(right);
+  trial.observations.intervals = right.intervals;
+  if (options.tell_rests)
+    for (const Interval& rest : Rests(right)) trial.observations.intervals.push_back(rest);
   std::vector<SensorTruth> sensors;
   for (const auto& [segment, length] : right.length) {
     sensors.push_back(DrawSensor(right, options, segment));

@@ -149,5 +149,40 @@ TEST_F(Program, RealArmsWithoutMountingsAreToldHowToGetThem) {
   EXPECT_THAT(outcome.err, HasSubstr("calibrat"));
 }
 
+TEST_F(Program, CalibratesATrialThatCanThenBeReconstructed) {
+  const std::string trial = Path("uncalibrated");
+  ASSERT_EQ(Run({"simulate", "--scenario=calibration", "--notell_mountings", "--output=" + trial})
+                .exit_code,
+            0);
+  EXPECT_EQ(Reconstruct(trial, Path("refused")).exit_code, 2);
+
+  const std::string calibrated = Path("calibrated");
+  const Outcome outcome =
+      Run({"calibrate", "--trial=" + trial, "--output=" + calibrated + "/trial.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("y_spread_deg"), HasSubstr("forearm")));
+  const json entered = ReadJson(calibrated + "/trial.json")["recordings"][0];
+  EXPECT_EQ(entered["mounting"]["q_BS_wxyz"].size(), 4u);
+  EXPECT_GT(entered["mounting"]["q_sigma_deg"].get<double>(), 1.0);
+  EXPECT_TRUE(entered.contains("noise"));
+
+  const Outcome reconstructed =
+      Reconstruct(calibrated, Path("estimate"), {"--method=luinge_unconstrained"});
+  EXPECT_EQ(reconstructed.exit_code, 0) << reconstructed.err;
+  EXPECT_THAT(reconstructed.out, Not(HasSubstr("is not known and was ignored")));
+  const Outcome again =
+      Run({"calibrate", "--trial=" + calibrated, "--output=" + calibrated + "/trial.json"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(Program, SaysWhatIsMissingWhereNothingCanBeCalibrated) {
+  const std::string trial = Simulate({"--notell_mountings"});
+  const Outcome outcome = Run({"calibrate", "--trial=" + trial, "--output=" + Path("out.json")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("trial.json"), HasSubstr("forearm: no mounting"),
+                                 HasSubstr("calibration:upper_arm_abduction")));
+  EXPECT_FALSE(std::filesystem::exists(Path("out.json")));
+}
+
 }  // namespace
 }  // namespace brachium

@@ -92,6 +92,14 @@ TEST_F(Usage, AnUnknownMethodIsRefusedWithTheKnownOnes) {
   EXPECT_THAT(outcome.err, HasSubstr("did you mean 'smoother'?"));
 }
 
+TEST_F(Usage, EachMethodBringsFlagsOfItsOwn) {
+  const Outcome luinge = Run({"reconstruct", "--method=luinge", "--help"});
+  EXPECT_EQ(luinge.exit_code, 0);
+  EXPECT_THAT(luinge.out, HasSubstr("--luinge_adduction_sigma_deg"));
+  EXPECT_THAT(luinge.out, Not(HasSubstr("--window_s")));
+  EXPECT_EQ(Run({"reconstruct", "--method=gyroscope", "--window_s=5"}).exit_code, 1);
+}
+
 TEST_F(Usage, AMissingFlagAndAWordThatIsNoneAreRefused) {
   EXPECT_THAT(Run({"inspect"}).err, HasSubstr("--trial is missing"));
   const Outcome outcome = Run({"inspect", Path("trial")});

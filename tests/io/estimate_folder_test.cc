@@ -31,6 +31,7 @@ Estimate MakeEstimate() {
     const ElbowAngles angles{.flexion = 0.2 * i, .carrying = 0.1, .pronation = 0.7};
     estimate.q_WB[Segment::kUpperArm].push_back(q_WU);
     estimate.q_WB[Segment::kForearm].push_back(q_WU * ElbowRotation(angles, Side::kLeft));
+    estimate.sd_B[Segment::kForearm].emplace_back(0.01 * i, 0.02, 0.03);
     estimate.p_W["elbow"].emplace_back(0.1 * i, 1.0 / 3, -0.2);
   }
   estimate.q_WB[Segment::kForearm][4] = kGap;
@@ -82,6 +83,9 @@ TEST(EstimateFolder, GivesTheSameMotionBack) {
       else
         EXPECT_EQ(q.coeffs(), q_WB[i].coeffs());
     }
+  ASSERT_EQ(read.sd_B.size(), 1u);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_TRUE(read.sd_B.at(Segment::kForearm)[i].isApprox(written.sd_B.at(Segment::kForearm)[i]));
   ASSERT_EQ(read.p_W.size(), 1u);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(read.p_W.at("elbow")[i], written.p_W.at("elbow")[i]);
@@ -94,9 +98,11 @@ TEST(EstimateFolder, WritesJointAnglesInDegreesAndGapsAsEmptyCells) {
   const CsvTable table = ReadCsv(here.File("e/estimate.csv"));
   EXPECT_THAT(table.names,
               ElementsAre("time_s", "upper_arm_qw", "upper_arm_qx", "upper_arm_qy", "upper_arm_qz",
-                          "forearm_qw", "forearm_qx", "forearm_qy", "forearm_qz", "elbow_px",
+                          "forearm_qw", "forearm_qx", "forearm_qy", "forearm_qz",
+                          "forearm_rx_sd_deg", "forearm_ry_sd_deg", "forearm_rz_sd_deg", "elbow_px",
                           "elbow_py", "elbow_pz", "elbow_flexion_deg", "elbow_carrying_deg",
                           "forearm_pronation_deg", "shoulder_elevation_deg"));
+  EXPECT_NEAR(table.Column("forearm_rx_sd_deg")[3], 0.03 / kDegree, 1e-9);
   EXPECT_NEAR(table.Column("elbow_flexion_deg")[3], 0.6 / kDegree, 1e-9);
   EXPECT_NEAR(table.Column("elbow_carrying_deg")[3], 0.1 / kDegree, 1e-9);
   EXPECT_NEAR(table.Column("forearm_pronation_deg")[3], 0.7 / kDegree, 1e-9);
@@ -131,6 +137,7 @@ TEST(EstimateFolder, HasNoColumnForWhatIsNotEstimated) {
   Estimate estimate = MakeEstimate();
   estimate.q_WB.erase(Segment::kUpperArm);
   estimate.p_W.clear();
+  estimate.sd_B.clear();
   WriteEstimate(here.File("e"), estimate, MakeRun(), false);
   EXPECT_EQ(ReadCsv(here.File("e/estimate.csv")).names.size(), 5u);
 }

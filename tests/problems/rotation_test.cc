@@ -99,5 +99,14 @@ TEST(RotationBetween, TakesOneDirectionToTheOtherTheShortestWay) {
   EXPECT_NEAR(Log<double>(q).norm(), std::acos(a.normalized().dot(b.normalized())), 1e-14);
 }
 
+TEST(MeanRotation, IsTheMiddleWhateverTheSignsOfTheQuaternions) {
+  const Eigen::Quaterniond middle = Exp<double>(Eigen::Vector3d(0.3, -2.0, 0.9));
+  const Eigen::Vector3d turn(0.05, -0.02, 0.1);
+  Eigen::Quaterniond before = middle * Exp<double>(Eigen::Vector3d(-turn));
+  before.coeffs() = -before.coeffs();
+  const Eigen::Quaterniond mean = MeanRotation({middle, before, middle * Exp<double>(turn)});
+  EXPECT_LT(mean.angularDistance(middle), 1e-7);
+}
+
 }  // namespace
 }  // namespace brachium

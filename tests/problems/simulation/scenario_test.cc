@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "problems/joint_angles.h"
 #include "problems/rotation.h"
@@ -108,6 +109,7 @@ TEST(Scenario, HasTheDerivativesItClaims) {
 
 TEST(Scenario, KeepsWithinEverydayJointLimits) {
   ForAll([](const Scenario& scenario) {
+    if (scenario.options.name == "calibration") return;  // palm down is the end of the range
     for (double t = 0.0; t < 60.0; t += 0.05) {
       const ElbowAngles elbow = Elbow(scenario, t);
       EXPECT_GT(elbow.flexion, 0.0);
@@ -254,6 +256,42 @@ TEST(ScenarioOptions, SayWhatIsWrong) {
   EXPECT_EQ(why, "scenario.time_scale must be > 0");
   EXPECT_FALSE(ScenarioOptions{.adduction_rms = -1.0}.IsValid(&why));
   EXPECT_FALSE(ScenarioOptions{.carrying_angle = 1.0}.IsValid(&why));
+}
+
+TEST(Scenario, OfACalibrationLabelsFiveOfEachMovementFromARestToARest) {
+  for (const Side side : kSides) {
+    const Scenario scenario = Make("calibration", side);
+    std::map<std::string, int> count;
+    for (const Interval& interval : scenario.intervals) {
+      ++count[interval.label];
+      for (const double t : {interval.start, interval.start + 0.25, interval.end - 0.25})
+        ExpectStill(scenario.At(t));
+      EXPECT_LT(interval.end, 60.0 - kRestAtEnd);
+    }
+    for (const char* movement :
+         {"forearm_pronation", "forearm_supination", "upper_arm_endorotation",
+          "upper_arm_exorotation", "upper_arm_abduction"})
+      EXPECT_EQ(count["calibration:" + std::string(movement)], 5) << movement;
+    EXPECT_EQ(count["calibration:static_pose"], 1);
+  }
+}
+
+TEST(Scenario, OfACalibrationHasThePalmDownBeforeSupinationAndAfterPronation) {
+  for (const Side side : kSides) {
+    const Scenario scenario = Make("calibration", side);
+    for (const Interval& interval : scenario.intervals) {
+      const bool before = interval.label == "calibration:forearm_supination";
+      if (!before && interval.label != "calibration:forearm_pronation") continue;
+      const ArmMotion arm = scenario.At(before ? interval.start : interval.end);
+      EXPECT_LT((arm.forearm.turning.q_AB * Vector3d::UnitX()).z(), -0.999);
+    }
+  }
+}
+
+TEST(Scenario, OfACalibrationIsRefusedATimeThatIsTooShortForIt) {
+  std::string why;
+  EXPECT_FALSE((ScenarioOptions{.name = "calibration", .duration = 50}.IsValid(&why)));
+  EXPECT_TRUE((ScenarioOptions{.name = "calibration", .duration = 60}.IsValid(&why))) << why;
 }
 
 }  // namespace

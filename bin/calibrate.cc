@@ -1,0 +1,111 @@
+// brachium calibrate: how the sensors of a trial sit on their segments, from labelled movements.
+#include "solver/calibrate.h"
+
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "bin/commands.h"
+#include "bin/estimate_text.h"
+#include "bin/help.h"
+#include "bin/options_json.h"
+#include "bin/table.h"
+#include "bin/termination.h"
+#include "io/calibrated_trial.h"
+#include "io/input_error.h"
+#include "io/output_folder.h"
+#include "io/text.h"
+#include "io/trial_folder.h"
+
+namespace brachium {
+namespace {
+
+struct CalibrateFlags {
+  std::string trial;
+  std::string output;
+  bool overwrite = false;
+
+  template <typename Flags, typename Visitor>
+  static void Visit(Flags& flags, Visitor&& visit) {
+    visit("trial", flags.trial, "The trial folder, with calibration: intervals in trial.json.");
+    visit("output", flags.output,
+          "The file to be written: the trial's trial.json with the mountings found. Called "
+          "trial.json and put into a folder, it makes that a trial folder.");
+    visit("overwrite", flags.overwrite, "Replace an older file.");
+  }
+};
+
+const CommandHelp kHelp = {
+    "--trial=DIR --output=FILE [flags]",
+    "Finds how each sensor is turned on its segment from movements that the trial has labelled in "
+    "its intervals: calibration:forearm_pronation and calibration:forearm_supination (elbow bent, "
+    "palm down before a supination and after a pronation), calibration:upper_arm_endorotation and "
+    "calibration:upper_arm_exorotation, calibration:upper_arm_abduction (hanging arm, elbow bent), "
+    "each interval one movement from a rest to a rest, five of each; or calibration:static_pose in "
+    "recordings that carry the maker's orientation. Refuses, with the reason, what cannot be "
+    "calibrated. Where on the segment a sensor sits is not found: measure it."};
+
+nlohmann::ordered_json ReportOf(const Calibration& calibration, const CalibrationOptions& options) {
+  nlohmann::ordered_json json = {{"options", ToJson(options)}};
+  for (const SegmentCalibration& segment : calibration.segments)
+    for (const Figure& figure : segment.figures)
+      json[std::string(Name(segment.segment))][figure.name] = figure.value;
+  json["notes"] = calibration.notes;
+  return json;
+}
+
+std::string CalibrationText(const Calibration& calibration) {
+  Table table({"segment", "q_BS_wxyz", "sigma [deg]"});
+  Table figures({"segment", "figure", "value"});
+  for (const SegmentCalibration& segment : calibration.segments) {
+    const std::string name(Name(segment.segment));
+    const Eigen::Quaterniond& q = segment.mounting.q_BS;
+    std::string rotation = Fixed(q.w(), 4);
+    for (const double value : {q.x(), q.y(), q.z()}) rotation.append(" ").append(Fixed(value, 4));
+    table.Add({name, rotation, Fixed(segment.mounting.q_sigma / kDegree, 2)});
+    for (const Figure& figure : segment.figures)
+      figures.Add({name, figure.name, Fixed(figure.value, 2)});
+  }
+  return table.Text() + "\n" + figures.Text() +
+         (calibration.notes.empty() ? "" : "\n" + Listing("Notes:", calibration.notes));
+}
+
+void RequireFaultless(const Calibration& calibration, const std::string& trial) {
+  if (calibration.faults.empty()) return;
+  std::string text = "cannot be calibrated";
+  for (const std::string& fault : calibration.faults) text += "\n  " + fault;
+  for (const std::string& note : calibration.notes) text += "\n  note: " + note;
+  throw InputError(trial + "/trial.json", 0, text);
+}
+
+}  // namespace
+
+int RunCalibrate(CommandLine& line) {
+  CalibrateFlags flags;
+  CalibrationOptions options;
+  line.Add("Flags", flags);
+  line.Add("Flags of the calibration", options);
+  if (ShowHelp(line, kHelp)) return kGood;
+  line.Read();
+  RequireGiven(flags.trial, "trial");
+  RequireGiven(flags.output, "output");
+  RequireValid(options);
+
+  const TrialFolder folder = ReadTrial(flags.trial);
+  const Calibration calibration = Calibrate(folder.trial.observations, options);
+  RequireFaultless(calibration, flags.trial);
+  std::map<Segment, Mounting> mountings;
+  for (const SegmentCalibration& segment : calibration.segments)
+    mountings[segment.segment] = segment.mounting;
+  const std::string text =
+      WithMountings(flags.trial, mountings, ReportOf(calibration, options), flags.output);
+  {
+    const WithoutInterruption writing;
+    WriteOneFile(flags.output, text, flags.overwrite);
+  }
+  std::cout << "Trial " << folder.trial.name << "\n"
+            << CalibrationText(calibration) << "Mountings in " << flags.output << "\n";
+  return kGood;
+}
+
+}  // namespace brachium

@@ -1,0 +1,45 @@
+#include "io/calibrated_trial.h"
+
+#include <filesystem>
+
+#include "io/file_bytes.h"
+
+namespace brachium {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void EnterRotation(const Mounting& mounting, Json& entry) {
+  const Eigen::Quaterniond& q = mounting.q_BS;
+  entry["mounting"]["q_BS_wxyz"] = {q.w(), q.x(), q.y(), q.z()};
+  entry["mounting"]["q_sigma_deg"] = mounting.q_sigma / kDegree;
+}
+
+// A file's name as seen from another folder.
+void Rebase(const fs::path& from, const fs::path& to, Json& node) {
+  const fs::path file = fs::absolute(from / node["file"].get<std::string>());
+  node["file"] = file.lexically_normal().lexically_relative(to).generic_string();
+}
+
+fs::path Folder(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+
+}  // namespace
+
+std::string WithMountings(const std::string& trial, const std::map<Segment, Mounting>& mountings,
+                          const Json& calibration, const std::string& output) {
+  const FileBytes bytes((fs::path(trial) / "trial.json").string());
+  Json json = Json::parse(bytes.text());
+  const fs::path to = Folder(output).parent_path();
+  for (Json& entry : json["recordings"]) {
+    Rebase(trial, to, entry);
+    const auto segment = SegmentFromName(entry["segment"].get<std::string>());
+    if (const auto found = mountings.find(*segment); found != mountings.end())
+      EnterRotation(found->second, entry);
+  }
+  if (json.contains("reference")) Rebase(trial, to, json["reference"]);
+  json["calibration"] = calibration;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace brachium

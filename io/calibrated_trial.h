@@ -1,0 +1,20 @@
+// A trial.json into which a calibration was entered.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "problems/imu.h"
+#include "problems/segment.h"
+
+namespace brachium {
+
+// The trial.json of a trial folder, key by key as it is, with rotation and sigma of these mountings
+// and with "calibration", what is to be known about them; the position of a sensor stays as it was
+// told, or untold. File names become relative to the folder of `output`, the file that is to receive
+// the text. The folder must have been read without an error.
+std::string WithMountings(const std::string& trial, const std::map<Segment, Mounting>& mountings,
+                          const nlohmann::ordered_json& calibration, const std::string& output);
+
+}  // namespace brachium
