@@ -1,31 +1,17 @@
 #include "solver/batch_smoother.h"
 
 #include <algorithm>
-#include <chrono>
-#include <set>
 
 #include "solver/covariance.h"
 #include "solver/diagnosis.h"
 #include "solver/least_squares.h"
+#include "solver/stage_clock.h"
 #include "solver/trajectory.h"
+#include "solver/wearing.h"
 #include "solver/window.h"
 
 namespace brachium {
 namespace {
-
-// Seconds since the last call, for timing.json.
-class Stopwatch {
- public:
-  double Lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 Observations ProximalToDistal(Observations observations) {
   std::stable_sort(observations.recordings.begin(), observations.recordings.end(),
@@ -60,28 +46,11 @@ bool SmootherOptions::IsValid(std::string* why) const {
 }
 
 bool BatchSmoother::Accepts(const Observations& observations, std::string* why) const {
-  std::set<Segment> segments;
-  for (const Recording& recording : observations.recordings) {
-    segments.insert(recording.segment);
-    if (observations.recordings.size() == 1 || recording.mounting) continue;
-    *why = "the mounting of the sensor on the " + std::string(Name(recording.segment)) +
-           " is missing: give its q_BS_wxyz and p_BS_m in trial.json, from a calibration";
-    return false;
-  }
-  segments.erase(Segment::kThorax);
-  if (segments.empty()) return true;
-  for (Segment segment = *segments.begin(); segment < *segments.rbegin();
-       segment = static_cast<Segment>(static_cast<int>(segment) + 1)) {
-    if (segments.count(segment)) continue;
-    *why = "there is no recording of the " + std::string(Name(segment)) +
-           ", which joins the segments that have one: add it, or leave out those beyond it";
-    return false;
-  }
-  return true;
+  return IsWholeChain(observations, why);
 }
 
 Estimate BatchSmoother::Run(const Observations& observations, const Progress& progress) const {
-  Stopwatch watch;
+  StageClock watch;
   Estimate estimate;
   estimate.method = "smoother";
   estimate.side = observations.arm.side;
