@@ -78,7 +78,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
     SolveWholeTrial(problem, state,
                     {.solver = solver,
-                     .most_iterations = 6,
+                     .most_iterations = 4,
                      .step_in_sd = 0.3,
                      .threads = options_.threads,
                      .hold_geometry = i + 1 < options_.weight_iterations},
@@ -89,7 +89,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   if (options_.whole_trial)
     SolveWholeTrial(
         problem, state,
-        {.solver = solver, .most_iterations = 100, .step_in_sd = 5e-4, .threads = options_.threads},
+        {.solver = solver, .most_iterations = 100, .step_in_sd = 3e-3, .threads = options_.threads},
         workspace, diagnostics);
   const Certainty certainty = AssessCertainty(problem, state, &workspace);
   stage("whole trial");
