@@ -42,8 +42,8 @@ class Spreads {
     return term.kind == ResidualKind::kAccelerometer || term.kind == ResidualKind::kSegmentChain;
   }
 
-  // Of a term that counts: r and the trace of J Σ Jᵀ = <JᵀJ, Σ> of one term, Σ being the covariance of a front that holds
-  // it.
+  // Of a term that counts: r and the trace of J Σ Jᵀ = <JᵀJ, Σ>, Σ being the covariance of a front
+  // that holds it.
   void Add(const Term& term, const BlockIndex& index, const CovarianceView& covariance) {
     blocks_.clear();
     int columns = 0;
