@@ -28,8 +28,9 @@ class Filtering : public testing::Test {
 
   InclinationFilter<1> Filtered(double until) {
     InclinationFilter<1> filter({&fore_}, kModel, tracks_.start);
-    for (std::size_t i = 0; fore_.recording.time[i] < until; ++i) {
-      filter.Predict(fore_.recording.time[i]);
+    const std::vector<double>& times = fore_.recording.time;
+    for (std::size_t i = 0; i < times.size() && times[i] < until; ++i) {
+      filter.Predict(times[i]);
       filter.Measure(0, i);
     }
     return filter;
