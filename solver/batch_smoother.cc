@@ -7,6 +7,7 @@
 #include "solver/least_squares.h"
 #include "solver/stage_clock.h"
 #include "solver/trajectory.h"
+#include "solver/unmodelled.h"
 #include "solver/wearing.h"
 #include "solver/window.h"
 
@@ -66,7 +67,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   const WindowReport windows = SolveForward(problem, state,
                                             {.length = options_.window_s,
                                              .advance = options_.window_advance_s,
-                                             .hold_geometry = options_.whole_trial,
+                                             .only_a_start = options_.whole_trial,
                                              .solver = solver},
                                             progress);
   stage("windows");
@@ -79,17 +80,17 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     SolveWholeTrial(problem, state,
                     {.solver = solver,
                      .most_iterations = 4,
-                     .step_in_sd = 0.3,
+                     .least_decrease = 0.01,
                      .threads = options_.threads,
                      .hold_geometry = i + 1 < options_.weight_iterations},
                     workspace, diagnostics);
-    problem.SetUnmodelled(AssessCertainty(problem, state, &workspace).unmodelled);
+    problem.SetUnmodelled(EstimateUnmodelled(problem, state, workspace));
   }
   if (progress) progress("whole trial", 0.9);
   if (options_.whole_trial)
     SolveWholeTrial(
         problem, state,
-        {.solver = solver, .most_iterations = 100, .step_in_sd = 3e-3, .threads = options_.threads},
+        {.solver = solver, .most_iterations = 100, .step_in_sd = 0.02, .threads = options_.threads},
         workspace, diagnostics);
   const Certainty certainty = AssessCertainty(problem, state, &workspace);
   stage("whole trial");

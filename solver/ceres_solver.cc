@@ -15,19 +15,20 @@ constexpr double kStartTrustRegion = 1e8;
 // was foretold to fall by.
 class StepInStandardDeviations final : public ceres::IterationCallback {
  public:
-  explicit StepInStandardDeviations(double tolerance) : tolerance_(tolerance) {}
+  explicit StepInStandardDeviations(const SolveOptions& options) : options_(options) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (iteration.iteration == 0 || !iteration.step_is_successful ||
         iteration.trust_region_radius < kStartTrustRegion)
       return ceres::SOLVER_CONTINUE;
     const double foretold = iteration.cost_change / iteration.relative_decrease;
-    return 2 * foretold <= tolerance_ * tolerance_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                                   : ceres::SOLVER_CONTINUE;
+    const bool is_last = 2 * foretold <= options_.step_in_sd * options_.step_in_sd ||
+                         foretold <= options_.least_decrease * iteration.cost;
+    return is_last ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
-  double tolerance_;
+  const SolveOptions& options_;
 };
 
 class CeresProblem {
@@ -83,7 +84,7 @@ SolveSummary SolveByCeres(const ArmProblem& problem, State& state, const Carried
     if (term->last_knot <= range.last_knot)
       least_squares.Add(term->cost.get(), term->loss.get(), term->unknowns);
 
-  StepInStandardDeviations small_step(options.step_in_sd);
+  StepInStandardDeviations small_step(options);
   ceres::Solver::Options settings;
   settings.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   settings.max_num_iterations = options.most_iterations;

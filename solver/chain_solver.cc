@@ -25,19 +25,11 @@ constexpr double kLongest = 10.0;      // share of a step that is believed
 constexpr double kRounding = 1e-14;
 
 // The values of a plan's variables, to go back to and to step from.
-//
-// A step changes the heading of the arm, which little holds, far more than anything else, and stiff
-// relations hold its sensors at their places. So places and velocities of a knot turn with the arm:
-// x -> Rz(ψ) (x + d - ψ e_z × x), ψ the turn about the vertical of the arm's first segment at that
-// knot. To first order that is x + d, and a turn of the whole stays one however far it goes.
 class Values {
  public:
-  Values(const ArmProblem& problem, const FrontPlan& plan) : plan_(plan) {
+  explicit Values(const FrontPlan& plan) : plan_(plan) {
     std::size_t size = 0;
-    for (const auto& variable : plan.variables()) {
-      size += static_cast<std::size_t>(variable.size);
-      turning_.push_back(TurningWith(problem, variable.unknown));
-    }
+    for (const auto& variable : plan.variables()) size += static_cast<std::size_t>(variable.size);
     saved_.resize(size);
   }
 
@@ -57,71 +49,33 @@ class Values {
 
   // To the saved values and `share` of the step.
   void Set(const std::vector<double>& step, double share) const {
-    Restore();
-    const auto& variables = plan_.variables();
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-      const auto& variable = variables[i];
-      if (variable.size == 4 || variable.tangent == 0) continue;
-      const double turn = turning_[i] < 0 ? 0.0 : share * Turn(variables, turning_[i], step);
-      Move(variable, &step[static_cast<std::size_t>(variable.column)], share, turn);
-    }
-    for (const auto& variable : variables) {
-      if (variable.size != 4) continue;
-      const double* d = &step[static_cast<std::size_t>(variable.column)];
-      const double turn[3] = {share * d[0], share * d[1], share * d[2]};
-      RotationManifold().Plus(variable.value, turn, variable.value);
+    const double* from = saved_.data();
+    for (const auto& variable : plan_.variables()) {
+      if (variable.tangent > 0)
+        Move(variable, from, &step[static_cast<std::size_t>(variable.column)], share);
+      from += variable.size;
     }
   }
 
  private:
-  using Variables = std::vector<FrontPlan::Variable>;
-
-  // The attitude with which an unknown turns, or -1.
-  int TurningWith(const ArmProblem& problem, int unknown) const {
-    const Unknown u = problem.Describe(unknown);
-    const bool of_thorax = u.kind == UnknownKind::kRoot ? u.sensor + 1 < problem.size().roots
-                                                        : u.sensor < problem.FirstOfArm();
-    if (u.kind != UnknownKind::kRoot && u.kind != UnknownKind::kVelocity &&
-        u.kind != UnknownKind::kPlace)
-      return -1;
-    return plan_.IndexOf(problem.Attitude(u.place, of_thorax ? 0 : problem.FirstOfArm()));
-  }
-
-  // About the vertical, of a whole step [rad]. The attitude still has its saved value.
-  static double Turn(const Variables& variables, int attitude, const std::vector<double>& step) {
-    const auto& variable = variables[static_cast<std::size_t>(attitude)];
-    const Eigen::Map<const Eigen::Quaterniond> q_WB(variable.value);
-    const Eigen::Map<const Eigen::Vector3d> phi_B(&step[static_cast<std::size_t>(variable.column)]);
-    return (q_WB * phi_B).z();
-  }
-
-  static void Move(const FrontPlan::Variable& variable, const double* d, double share,
-                   double turn) {
-    double* x = variable.value;
-    if (turn != 0.0) {
-      const double east = x[0] + share * d[0] + turn * x[1];
-      const double north = x[1] + share * d[1] - turn * x[0];
-      const double c = std::cos(turn), s = std::sin(turn);
-      x[0] = c * east - s * north;
-      x[1] = s * east + c * north;
-      x[2] += share * d[2];
+  static void Move(const FrontPlan::Variable& variable, const double* from, const double* d,
+                   double share) {
+    if (variable.size == 4) {
+      const double turn[3] = {share * d[0], share * d[1], share * d[2]};
+      RotationManifold().Plus(from, turn, variable.value);
       return;
     }
-    for (int i = 0; i < variable.size; ++i) x[i] += share * d[i];
+    for (int i = 0; i < variable.size; ++i) variable.value[i] = from[i] + share * d[i];
   }
 
   const FrontPlan& plan_;
-  std::vector<int> turning_;  // of each variable: the one whose turn it follows, or -1
   std::vector<double> saved_;
 };
 
 class Descent {
  public:
-  Descent(const ArmProblem& problem, ChainWorkspace& workspace, const SolveOptions& options)
-      : plan_(workspace.plan),
-        sweep_(workspace.sweep),
-        options_(options),
-        values_(problem, plan_) {}
+  Descent(ChainWorkspace& workspace, const SolveOptions& options)
+      : plan_(workspace.plan), sweep_(workspace.sweep), options_(options), values_(plan_) {}
 
   SolveSummary Run() {
     values_.Save();
@@ -131,7 +85,7 @@ class Descent {
     while (summary_.iterations < options_.most_iterations) {
       if (damping_ > kMostDamping) return Ended(false, "No step lowers the cost.");
       const double foretold = sweep_.Step(plan_, step_);
-      if (here_.length_2 <= options_.step_in_sd * options_.step_in_sd && damping_ <= kNoDamping) {
+      if (damping_ <= kNoDamping && IsLast(foretold)) {
         values_.Set(step_, 1.0);
         here_.cost -= foretold;
         return Ended(true, "The step is small against the standard deviations.");
@@ -147,6 +101,12 @@ class Descent {
   }
 
  private:
+  // Whether nothing worth another pass is left after a step.
+  bool IsLast(double foretold) const {
+    return here_.length_2 <= options_.step_in_sd * options_.step_in_sd ||
+           foretold <= options_.least_decrease * here_.cost;
+  }
+
   // Takes the step, or the share of it that the parabola through the costs asks for, if the cost
   // falls: less where it went too far, more where Gauss-Newton's steps creep because the cost bends
   // less than they assume.
@@ -205,7 +165,7 @@ SolveSummary SolveChain(const ArmProblem& problem, State& state, const CarriedPr
                         ChainWorkspace& workspace) {
   workspace.plan.Build(problem, state, prior, range);
   workspace.sweep.Prepare(workspace.plan);
-  return Descent(problem, workspace, options).Run();
+  return Descent(workspace, options).Run();
 }
 
 }  // namespace brachium

@@ -1,5 +1,4 @@
-// What the information matrix of a solved trial says: how certain each unknown is, and how much the
-// model leaves out of the sensors' motion.
+// What the information matrix of a solved trial says: how certain each unknown is.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +15,7 @@ struct Certainty {
   std::vector<double> root_sd;                 // of each knot's arm root, largest axis [m]
   // Of each sensor's start heading against the one before it [rad]; 0 for the first.
   std::vector<double> start_heading_sd;
-  std::vector<Unmodelled> unmodelled;  // of each sensor
-  std::vector<int> singular;           // unknowns that the information does not determine
+  std::vector<int> singular;  // unknowns that the information does not determine
 };
 
 // Linearises the trial at `state`. Cost and memory are linear in its length; `workspace` as in Solve().

@@ -158,12 +158,12 @@ int FactorFront(double* H, int stride, int columns, int pivots, const double* le
 }
 
 BRACHIUM_FOR_THIS_MACHINE
-void BackSubstitute(const double* L, int stride, int columns, int pivots, double* d) {
-  d[columns] = 1.0;  // meets yᵀ
-  for (int row = columns + 1; row < stride; ++row) d[row] = 0.0;
+void BackSubstitute(const double* L, int stride, int columns, int pivots, const double* y,
+                    double* d) {
+  for (int row = columns; row < stride; ++row) d[row] = 0.0;
   for (int k = pivots - 1; k >= 0; --k) {
     const double* column = L + k * stride;
-    d[k] = -Dot(column, d, k + 1, stride) / column[k];
+    d[k] = -(Dot(column, d, k + 1, stride) + y[k]) / column[k];
   }
 }
 

@@ -24,9 +24,10 @@ constexpr double kRaised = 1e4;
 int FactorFront(double* H, int stride, int columns, int pivots, const double* least);
 
 // The step of the eliminated unknowns from that of the others: d_E = -L⁻ᵀ (y + Bᵀ d_S). `L`: the
-// first `pivots` columns that FactorFront left. `d`: `stride` numbers, of which d_S is given; what
-// follows d is overwritten.
-void BackSubstitute(const double* L, int stride, int columns, int pivots, double* d);
+// first `pivots` columns that FactorFront left. `y`: `pivots` numbers. `d`: `stride` numbers, of
+// which d_S is given; what follows d is overwritten.
+void BackSubstitute(const double* L, int stride, int columns, int pivots, const double* y,
+                    double* d);
 
 // Extends a covariance from S to E. Given is Σ_SS in the symmetric matrix `S`, whole columns of
 // `stride` numbers with their padding zero; with A = L⁻ᵀ Bᵀ there are added Σ_SE = -Σ_SS Aᵀ, its

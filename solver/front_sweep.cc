@@ -33,6 +33,7 @@ void FrontSweep::Prepare(const FrontPlan& plan) {
   front_.resize(widest * widest);
   before_.resize(widest * widest);
   least_.resize(widest);
+  y_.resize(widest);
   d_.resize(widest);
   term_.Reserve(plan.most_residuals(), plan.most_blocks(), plan.widest_term());
 }
@@ -126,21 +127,39 @@ double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
   step.resize(U(plan.columns()));
   double decrease = 0.0;
   for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
-    for (const FrontPlan::Member& member : plan.Members(*front)) {
-      if (member.column < front->eliminated) continue;
-      const FrontPlan::Variable& variable = plan.variables()[U(member.variable)];
-      std::copy_n(&step[U(variable.column)], variable.tangent, &d_[U(member.column)]);
-    }
+    GatherKept(plan, *front, step);
     const double* L = Factor(*front);
-    BackSubstitute(L, front->Stride(), front->columns, front->eliminated, d_.data());
+    for (int k = 0; k < front->eliminated; ++k) y_[U(k)] = L[k * front->Stride() + front->columns];
+    BackSubstitute(L, front->Stride(), front->columns, front->eliminated, y_.data(), d_.data());
     for (int k = 0; k < front->eliminated; ++k) {
-      const double y = L[k * front->Stride() + front->columns], d = d_[U(k)];
+      const double y = y_[U(k)], d = d_[U(k)];
       const std::size_t column = U(front->first_column + k);
       decrease += 0.5 * (y * y + damping_ * Clamped(diagonal_[column]) * d * d);
       step[column] = d;
     }
   }
   return decrease;
+}
+
+void FrontSweep::Draw(const FrontPlan& plan, const std::vector<double>& signs,
+                      std::vector<double>& deviation) {
+  deviation.resize(U(plan.columns()));
+  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
+    GatherKept(plan, *front, deviation);
+    BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
+                   &signs[U(front->first_column)], d_.data());
+    std::copy_n(d_.data(), front->eliminated, &deviation[U(front->first_column)]);
+  }
+}
+
+// What a front does not eliminate, into d_.
+void FrontSweep::GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
+                            const std::vector<double>& columns) {
+  for (const FrontPlan::Member& member : plan.Members(front)) {
+    if (member.column < front.eliminated) continue;
+    const FrontPlan::Variable& variable = plan.variables()[U(member.variable)];
+    std::copy_n(&columns[U(variable.column)], variable.tangent, &d_[U(member.column)]);
+  }
 }
 
 Eigen::MatrixXd FrontSweep::KeptInformation(const FrontPlan& plan) const {

@@ -35,6 +35,11 @@ class FrontSweep {
   // with it. Requires a plan that hands nothing on.
   double Step(const FrontPlan& plan, std::vector<double>& step);
 
+  // A deviation of all columns with the covariance of the last pass, from `signs`: as many random
+  // numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
+  void Draw(const FrontPlan& plan, const std::vector<double>& signs,
+            std::vector<double>& deviation);
+
   // What the last front hands on: the information about its members that stay, and its gradient.
   Eigen::MatrixXd KeptInformation(const FrontPlan& plan) const;
   Eigen::VectorXd KeptGradient(const FrontPlan& plan) const;
@@ -47,12 +52,14 @@ class FrontSweep {
   double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                  const FrontPlan::PlannedTerm& term);
   int Eliminate(const FrontPlan::Front& front);
+  void GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
+                  const std::vector<double>& columns);
 
   double damping_ = 0.0;
   std::vector<double> factors_;
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> front_, before_;       // matrices of this front and of the last
-  std::vector<double> least_, d_;
+  std::vector<double> least_, y_, d_;
   TermSquare term_;
 };
 

@@ -15,8 +15,9 @@ constexpr double kClearlyCheaper = 12.0;  // twice the log-likelihood ratio that
 constexpr double kDistinct = 20 * kDegree;
 constexpr double kLongestSettling = 80.0;  // [s]
 
-// Windows need not be solved to the last digit: the whole trial follows.
 constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 0.1};
+constexpr SolveOptions kStartSolve{
+    .most_iterations = 20, .least_decrease = 0.01, .hold_geometry = true};
 
 // Lever arms that may flip would let a wrong heading explain everything.
 constexpr SolveOptions kSettlingSolve{
@@ -107,8 +108,7 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
   const Timeline& timeline = problem.timeline();
   const int last = timeline.Intervals();
   const double begin = timeline.knots.front(), span = timeline.knots.back() - begin;
-  SolveOptions solve = kWindowSolve;
-  solve.hold_geometry = options.hold_geometry;
+  SolveOptions solve = options.only_a_start ? kStartSolve : kWindowSolve;
   solve.solver = options.solver;
   ChainWorkspace workspace(problem);
   CarriedPrior prior;

@@ -9,9 +9,11 @@
 namespace brachium {
 
 struct WindowOptions {
-  double length = 5.0;         // [s]
-  double advance = 2.5;        // from one window to the next [s]
-  bool hold_geometry = false;  // as in SolveOptions
+  double length = 5.0;   // [s]
+  double advance = 2.5;  // from one window to the next [s]
+  // The whole trial is solved afterwards: geometry is held, windows are left where steps have become
+  // small.
+  bool only_a_start = false;
   SolverKind solver = SolverKind::kChain;
 };
 

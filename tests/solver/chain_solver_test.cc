@@ -52,7 +52,7 @@ struct Started {
 
   explicit Started(const Observations& observations, double knot_spacing = 0.1)
       : problem(observations, {}, knot_spacing), state(problem.PriorState()) {
-    SolveForward(problem, state, {.hold_geometry = true}, {});
+    SolveForward(problem, state, {.only_a_start = true}, {});
   }
   int Last() const { return problem.timeline().Intervals(); }
 

@@ -245,5 +245,32 @@ TEST(BlockIndex, KnowsWhichUnknownsItHolds) {
   EXPECT_EQ(index.OffsetOf(5), -1);
 }
 
+// ξ = L⁻ᵀ z: over all unit vectors z, the ξ ξᵀ add up to the covariance.
+TEST(FrontSweep, DrawsDeviationsOfTheCovariance) {
+  Stretch stretch;
+  const int knots = stretch.problem.size().knots;
+  FrontPlan& plan = stretch.workspace.plan;
+  plan.Build(stretch.problem, stretch.state, {}, {.end_knot = knots, .last_knot = knots});
+  stretch.workspace.sweep.Prepare(plan);
+  stretch.workspace.sweep.Run(plan, 0.0);
+  MatrixXd draws(plan.columns(), plan.columns());
+  std::vector<double> sign(static_cast<std::size_t>(plan.columns())), deviation;
+  for (int column = 0; column < plan.columns(); ++column) {
+    std::fill(sign.begin(), sign.end(), 0.0);
+    sign[static_cast<std::size_t>(column)] = 1.0;
+    stretch.workspace.sweep.Draw(plan, sign, deviation);
+    draws.col(column) = Eigen::Map<const VectorXd>(deviation.data(), plan.columns());
+  }
+  const VectorXd sd = (draws * draws.transpose()).diagonal().cwiseSqrt();
+  DenseInformation all(stretch.problem);
+  all.AddTerms(stretch.problem, stretch.state, 0, knots);
+  const MatrixXd dense = SolvedInLongDouble(all.H, MatrixXd::Identity(all.H.rows(), all.H.cols()));
+  for (const FrontPlan::Variable& variable : plan.variables())
+    for (int i = 0; i < variable.tangent; ++i) {
+      const auto row = all.OffsetOf(variable.unknown) + i;
+      EXPECT_NEAR(sd[variable.column + i] / std::sqrt(dense(row, row)), 1.0, 1e-8);
+    }
+}
+
 }  // namespace
 }  // namespace brachium

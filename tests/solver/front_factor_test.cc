@@ -74,9 +74,11 @@ TEST_P(FrontFactor, GivesTheStepOfTheDenseSolution) {
   Front front(GetParam().columns, GetParam().pivots);
   front.Factor();
   const VectorXd expected = -front.H.llt().solve(front.g);
+  const VectorXd y = front.View().row(front.columns).head(front.pivots);
   std::vector<double> d(static_cast<std::size_t>(front.stride), std::nan(""));
   for (int i = front.pivots; i < front.columns; ++i) d[static_cast<std::size_t>(i)] = expected[i];
-  BackSubstitute(front.memory.data(), front.stride, front.columns, front.pivots, d.data());
+  BackSubstitute(front.memory.data(), front.stride, front.columns, front.pivots, y.data(),
+                 d.data());
   for (int i = 0; i < front.columns; ++i)
     EXPECT_NEAR(d[static_cast<std::size_t>(i)], expected[i], 1e-9) << i;
 }
