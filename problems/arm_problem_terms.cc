@@ -8,6 +8,7 @@
 #include "problems/residuals/elbow_adduction.h"
 #include "problems/residuals/gyro_bias.h"
 #include "problems/residuals/gyroscope.h"
+#include "problems/residuals/in_body_axes.h"
 #include "problems/residuals/prior.h"
 #include "problems/residuals/range_of_motion.h"
 #include "problems/residuals/segment_chain.h"
@@ -212,11 +213,11 @@ void ArmProblem::AddShoulder() {
            Root(knot, 0), Root(knot, 1)},
           -1, knot - 1, knot);
     else if (knot == 0)
-      Add(ShoulderProcessStart(shoulder.sigma), ResidualKind::kShoulderProcess, {Root(0, 0), mean},
-          -1, 0, 0);
+      Add(InBodyAxes(ShoulderProcessStart(shoulder.sigma)), ResidualKind::kShoulderProcess,
+          {Attitude(0, 0), Root(0, 0), mean}, -1, 0, 0);
     else
-      Add(ShoulderProcess(step), ResidualKind::kShoulderProcess,
-          {Root(knot - 1, 0), Root(knot, 0), mean}, -1, knot - 1, knot);
+      Add(InBodyAxes(ShoulderProcess(step)), ResidualKind::kShoulderProcess,
+          {Attitude(knot, 0), Root(knot - 1, 0), Root(knot, 0), mean}, -1, knot - 1, knot);
   }
 }
 
@@ -228,15 +229,16 @@ void ArmProblem::AddRests(int sensor) {
     for (int knot = first; knot <= last; ++knot) {
       if (timeline_.knots[U(knot)] < rest.start) continue;
       if (knot == 0 || timeline_.knots[U(knot) - 1] < rest.start)
-        Add(ZeroVelocityStart(sigma, rest.probability), ResidualKind::kZeroVelocity,
-            {Velocity(knot, sensor)}, sensor, knot, knot);
+        Add(InBodyAxes(ZeroVelocityStart(sigma, rest.probability)), ResidualKind::kZeroVelocity,
+            {Attitude(knot, sensor), Velocity(knot, sensor)}, sensor, knot, knot);
       else
-        Add(ZeroVelocity(
+        Add(InBodyAxes(ZeroVelocity(
                 FirstOrderStep::Over(timeline_.knots[U(knot)] - timeline_.knots[U(knot) - 1], sigma,
                                      options_.zero_velocity_correlation_s),
-                rest.probability),
-            ResidualKind::kZeroVelocity, {Velocity(knot - 1, sensor), Velocity(knot, sensor)},
-            sensor, knot - 1, knot);
+                rest.probability)),
+            ResidualKind::kZeroVelocity,
+            {Attitude(knot, sensor), Velocity(knot - 1, sensor), Velocity(knot, sensor)}, sensor,
+            knot - 1, knot);
     }
     if (rest.slack > 1.0) continue;  // a rocking sensor's mean rate is not its bias
     for (int node = timeline_.NodeBefore(rest.start); node + 1 < size_.nodes; ++node) {

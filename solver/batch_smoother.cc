@@ -90,7 +90,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   if (options_.whole_trial)
     SolveWholeTrial(
         problem, state,
-        {.solver = solver, .most_iterations = 100, .step_in_sd = 0.02, .threads = options_.threads},
+        {.solver = solver, .most_iterations = 100, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
   const Certainty certainty = AssessCertainty(problem, state, &workspace);
   stage("whole trial");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/rotation_manifold.h"
+#include "solver/step_values.h"
 
 namespace brachium {
 namespace {
@@ -15,67 +15,21 @@ constexpr double kMostDamping = 1e16;
 constexpr double kMoreDamping = 100.0, kLessDamping = 0.1;  // after a step refused, or taken
 
 // Gains: how much of the foretold decrease a step brings.
-constexpr double kFairGain = 0.25;     // below this it went too far
-constexpr double kCreepingGain = 1.4;  // above this it went not far enough
-constexpr double kLeastGain = 1e-3;    // that is taken for one
-constexpr double kShortest = 0.08;     // share of a step worth a try; else damping serves better
-constexpr double kLongest = 10.0;      // share of a step that is believed
+constexpr double kFairGain = 0.25;   // below this it went too far
+constexpr double kLeastGain = 1e-3;  // that is taken for one
+constexpr double kShortest = 0.08;   // share of a step worth a try; else damping serves better
 
 // A decrease below this share of the cost drowns in its rounding errors.
 constexpr double kRounding = 1e-14;
 
-// The values of a plan's variables, to go back to and to step from.
-class Values {
- public:
-  explicit Values(const FrontPlan& plan) : plan_(plan) {
-    std::size_t size = 0;
-    for (const auto& variable : plan.variables()) size += static_cast<std::size_t>(variable.size);
-    saved_.resize(size);
-  }
-
-  void Save() {
-    double* to = saved_.data();
-    for (const auto& variable : plan_.variables())
-      to = std::copy_n(variable.value, variable.size, to);
-  }
-
-  void Restore() const {
-    const double* from = saved_.data();
-    for (const auto& variable : plan_.variables()) {
-      std::copy_n(from, variable.size, variable.value);
-      from += variable.size;
-    }
-  }
-
-  // To the saved values and `share` of the step.
-  void Set(const std::vector<double>& step, double share) const {
-    const double* from = saved_.data();
-    for (const auto& variable : plan_.variables()) {
-      if (variable.tangent > 0)
-        Move(variable, from, &step[static_cast<std::size_t>(variable.column)], share);
-      from += variable.size;
-    }
-  }
-
- private:
-  static void Move(const FrontPlan::Variable& variable, const double* from, const double* d,
-                   double share) {
-    if (variable.size == 4) {
-      const double turn[3] = {share * d[0], share * d[1], share * d[2]};
-      RotationManifold().Plus(from, turn, variable.value);
-      return;
-    }
-    for (int i = 0; i < variable.size; ++i) variable.value[i] = from[i] + share * d[i];
-  }
-
-  const FrontPlan& plan_;
-  std::vector<double> saved_;
-};
-
 class Descent {
  public:
-  Descent(ChainWorkspace& workspace, const SolveOptions& options)
-      : plan_(workspace.plan), sweep_(workspace.sweep), options_(options), values_(plan_) {}
+  Descent(const ArmProblem& problem, const State& state, ChainWorkspace& workspace,
+          const SolveOptions& options)
+      : plan_(workspace.plan),
+        sweep_(workspace.sweep),
+        options_(options),
+        values_(problem, state, plan_) {}
 
   SolveSummary Run() {
     values_.Save();
@@ -107,17 +61,13 @@ class Descent {
            foretold <= options_.least_decrease * here_.cost;
   }
 
-  // Takes the step, or the share of it that the parabola through the costs asks for, if the cost
-  // falls: less where it went too far, more where Gauss-Newton's steps creep because the cost bends
-  // less than they assume.
+  // Takes the step, or where it went too far the share of it that the parabola through the costs
+  // asks for, if the cost falls.
   bool Try(double foretold) {
-    const double damping = std::max(kLessDamping * damping_, kLeastDamping);
-    const double gain = Gain(1.0, damping, foretold);
-    const double share = gain < 2 - 1 / kLongest ? 1 / (2 - gain) : kLongest;
-    if (gain < kFairGain)
-      return share > kShortest && Gain(share, damping_, foretold) >= kLeastGain && Take();
-    if (gain < kCreepingGain || Gain(share, damping, foretold) > gain) return Take();
-    return Gain(1.0, damping, foretold) >= kFairGain && Take();
+    const double gain = Gain(1.0, std::max(kLessDamping * damping_, kLeastDamping), foretold);
+    if (gain >= kFairGain) return Take();
+    const double share = 1 / (2 - gain);
+    return share > kShortest && Gain(share, damping_, foretold) >= kLeastGain && Take();
   }
 
   // How much of the foretold decrease a share of the step brings, linearised there.
@@ -151,7 +101,7 @@ class Descent {
   FrontPlan& plan_;
   FrontSweep& sweep_;
   const SolveOptions& options_;
-  Values values_;
+  StepValues values_;
   FrontSweep::Sums here_, there_;  // of the values that stand, and of those that are tried
   double damping_ = kLeastDamping, damping_there_ = 0.0;
   std::vector<double> step_;
@@ -165,7 +115,7 @@ SolveSummary SolveChain(const ArmProblem& problem, State& state, const CarriedPr
                         ChainWorkspace& workspace) {
   workspace.plan.Build(problem, state, prior, range);
   workspace.sweep.Prepare(workspace.plan);
-  return Descent(workspace, options).Run();
+  return Descent(problem, state, workspace, options).Run();
 }
 
 }  // namespace brachium

@@ -21,7 +21,7 @@ constexpr SolveOptions kStartSolve{
 
 // Lever arms that may flip would let a wrong heading explain everything.
 constexpr SolveOptions kSettlingSolve{
-    .most_iterations = 20, .step_in_sd = 0.1, .hold_geometry = true};
+    .most_iterations = 20, .step_in_sd = 1.0, .hold_geometry = true};
 
 int KnotAt(const ArmProblem& problem, double time) {
   const auto& knots = problem.timeline().knots;
@@ -80,20 +80,23 @@ bool TryHeadings(const ArmProblem& problem, State& state, int sensor, int last,
 
 void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOptions& options,
                          WindowReport& report) {
-  const State start = state;
-  const double begin = problem.timeline().knots.front();
+  const Timeline& timeline = problem.timeline();
   ChainWorkspace workspace(problem);
   SolveOptions solve = kSettlingSolve;
   solve.solver = options.solver;
-  for (double span = options.length;; span *= 2) {
-    state = start;
-    const int last = KnotAt(problem, begin + span);
-    report.settling_span = problem.timeline().knots[static_cast<std::size_t>(last)] - begin;
-    bool clear = true;
-    for (int sensor = 1; sensor < problem.size().sensors; ++sensor)
-      if (!IsSettledByPose(problem, sensor))
-        clear = TryHeadings(problem, state, sensor, last, solve, workspace, report) && clear;
-    if (clear || last == problem.timeline().Intervals() || span >= kLongestSettling) return;
+  for (int sensor = 1; sensor < problem.size().sensors; ++sensor) {
+    if (IsSettledByPose(problem, sensor)) continue;
+    const State start = state;
+    bool clear = false;
+    for (double span = options.length; !clear && span <= kLongestSettling; span *= 2) {
+      state = start;
+      const int last = KnotAt(problem, timeline.knots.front() + span);
+      clear = TryHeadings(problem, state, sensor, last, solve, workspace, report) ||
+              last == timeline.Intervals();
+      report.settling_span =
+          std::max(report.settling_span,
+                   timeline.knots[static_cast<std::size_t>(last)] - timeline.knots.front());
+    }
   }
 }
 

@@ -132,7 +132,7 @@ struct Turned {
   void ThrowForearmAbout() {
     for (int knot = 0; knot < problem.size().knots; ++knot) {
       Eigen::Map<Eigen::Quaterniond> q(state.Attitude(knot, 1));
-      q = q * Exp<double>(Eigen::Vector3d(2 * std::sin(knot), 2 * std::cos(2 * knot), 0.0));
+      q = q * Exp<double>(Eigen::Vector3d(20 * std::sin(knot), 20 * std::cos(2 * knot), 0.0));
     }
   }
 

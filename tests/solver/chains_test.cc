@@ -78,6 +78,8 @@ TEST(ThoraxThatStandsStill, IsUprightAndLeavesTheElbowAsItIs) {
   const BatchSmoother smoother({.weight_iterations = 0, .model = {}});
   const Estimate estimate = smoother.Run(trial.observations);
   EXPECT_EQ(estimate.q_WB.size(), 3u);
+  EXPECT_TRUE(estimate.diagnostics.converged);
+  EXPECT_LE(estimate.diagnostics.iterations, 8);
   const auto& q_WT = estimate.q_WB.at(Segment::kThorax);
   EXPECT_LT(Log<double>(q_WT.front().conjugate() * q_WT.back()).norm(), 0.2 * kDegree);
   EXPECT_LT(InclinationError(estimate, *trial.reference, Segment::kThorax), 0.5 * kDegree);
