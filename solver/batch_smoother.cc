@@ -100,6 +100,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   diagnostics.residuals = DescribeResiduals(problem, state);
   diagnostics.constants = DescribeConstants(problem, state, certainty);
   diagnostics.held_by_prior = HeldByPrior(problem, certainty);
+  diagnostics.notes = FarFromTold(problem, state);
   diagnostics.rests = DescribeRests(problem);
   diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},
                          {"windows", static_cast<double>(windows.windows)},

@@ -12,6 +12,9 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 // A standard deviation above this share of its prior's has learned nothing worth the name.
 constexpr double kUninformed = 0.95;
 
+// Standard deviations that a constant may move away from its prior without a word.
+constexpr double kFar = 4.0;
+
 std::string SegmentName(const ArmProblem& problem, int sensor) {
   return std::string(Name(problem.observations().recordings[U(sensor)].segment));
 }
@@ -171,6 +174,29 @@ std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty&
     if (knot - first > 1 && timeline.knots[U(knot) - 1] - timeline.knots[U(first)] > 1.0)
       sentences.push_back("position of the arm's root, " +
                           Seconds(timeline.knots[U(first)], timeline.knots[U(knot) - 1]));
+  }
+  return sentences;
+}
+
+std::vector<std::string> FarFromTold(const ArmProblem& problem, const State& state) {
+  std::vector<std::string> sentences;
+  const State told = problem.PriorState();
+  for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown) {
+    const Unknown u = problem.Describe(unknown);
+    const auto entry = Describe(problem, u);
+    if (!entry) continue;
+    const double* x = state.Constant(u.kind, u.sensor);
+    const double* x_told = told.Constant(u.kind, u.sensor);
+    for (std::size_t i = 0; i < entry->prior_sd.size(); ++i) {
+      const double sigmas = std::abs(x[i] - x_told[i]) / entry->prior_sd[i];
+      if (sigmas < kFar) continue;
+      char text[200];
+      std::snprintf(text, sizeof text,
+                    "%s (%c) is found at %.4g where %.4g was told: %.1f of its standard deviations "
+                    "off. Check it; if it is right, distrust this result",
+                    entry->name.c_str(), "xyz"[i], x[i], x_told[i], sigmas);
+      sentences.push_back(text);
+    }
   }
   return sentences;
 }

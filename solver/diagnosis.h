@@ -18,6 +18,10 @@ std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& 
 // their prior. One sentence each, with segment and time span.
 std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty& certainty);
 
+// Constants that the samples moved far away from what was told or assumed, one sentence each: a wrong
+// number in the trial, or a model that does not hold.
+std::vector<std::string> FarFromTold(const ArmProblem& problem, const State& state);
+
 std::vector<Rest> DescribeRests(const ArmProblem& problem);
 
 }  // namespace brachium

@@ -7,7 +7,7 @@ std::unique_ptr<Estimator> Make(const SmootherOptions& options) {
   return std::make_unique<BatchSmoother>(options);
 }
 std::unique_ptr<Estimator> Make(const GyroscopeOptions& options) {
-  return std::make_unique<Gyroscope>(options);
+  return std::make_unique<GyroscopeOnly>(options);
 }
 std::unique_ptr<Estimator> Make(const LuingeUnconstrainedOptions& options) {
   return std::make_unique<LuingeUnconstrained>(options);

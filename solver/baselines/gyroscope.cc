@@ -6,11 +6,11 @@
 
 namespace brachium {
 
-bool Gyroscope::Accepts(const Observations& observations, std::string* why) const {
+bool GyroscopeOnly::Accepts(const Observations& observations, std::string* why) const {
   return IsWholeChain(observations, why);
 }
 
-Estimate Gyroscope::Run(const Observations& observations, const Progress&) const {
+Estimate GyroscopeOnly::Run(const Observations& observations, const Progress&) const {
   StageClock watch;
   const Tracks tracks = StartTracks(observations);
   Estimate estimate = BlankEstimate("gyroscope", observations, tracks);

@@ -19,9 +19,9 @@ struct GyroscopeOptions {
   static void Visit(Options&, Visitor&&) {}
 };
 
-class Gyroscope final : public Estimator {
+class GyroscopeOnly final : public Estimator {
  public:
-  explicit Gyroscope(const GyroscopeOptions&) {}
+  explicit GyroscopeOnly(const GyroscopeOptions&) {}
   bool Accepts(const Observations& observations, std::string* why) const override;
   Estimate Run(const Observations& observations, const Progress& progress = {}) const override;
 };

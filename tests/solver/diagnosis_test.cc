@@ -93,5 +93,18 @@ TEST(Rests, AreListedWithTheirSegment) {
   }
 }
 
+TEST(FarFromTold, NamesALeverArmThatWasToldWrong) {
+  Observations observations = Brisk(16).observations;
+  observations.recordings[1].mounting->p_BS_B.y() += 0.08;
+  const Solved solved(observations);
+  EXPECT_THAT(FarFromTold(solved.problem, solved.state),
+              Contains(HasSubstr("forearm.p_BS_m (y) is found at")));
+}
+
+TEST(FarFromTold, SaysNothingOfAnHonestTrial) {
+  const Solved solved(Brisk(16).observations);
+  EXPECT_THAT(FarFromTold(solved.problem, solved.state), IsEmpty());
+}
+
 }  // namespace
 }  // namespace brachium

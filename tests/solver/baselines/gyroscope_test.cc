@@ -11,31 +11,31 @@ namespace {
 
 using testing::Contains, testing::HasSubstr, testing::IsEmpty, testing::Not;
 
-TEST(Gyroscope, TakesOffTheBiasThatTheRestsTell) {
+TEST(GyroscopeOnly, TakesOffTheBiasThatTheRestsTell) {
   SimulationOptions errors = NoErrors();
   errors.gyro_bias = 0.5 * kDegree;
   const Trial trial = Brisk(60, errors);
-  const Estimate estimate = Gyroscope({}).Run(trial.observations);
+  const Estimate estimate = GyroscopeOnly({}).Run(trial.observations);
   EXPECT_LT(RelativeError(estimate, *trial.reference), 2 * kDegree);  // 30 deg with the bias
   EXPECT_THAT(estimate.diagnostics.rests, Not(IsEmpty()));
 }
 
-TEST(Gyroscope, StartsWithNoBiasWhereThereIsNoRestAndSaysSo) {
+TEST(GyroscopeOnly, StartsWithNoBiasWhereThereIsNoRestAndSaysSo) {
   const double drift = 0.3 * kDegree;
   const Trial trial = HingedArm({.forearm_heading_drift = drift});
-  const Estimate estimate = Gyroscope({}).Run(trial.observations);
+  const Estimate estimate = GyroscopeOnly({}).Run(trial.observations);
   EXPECT_NEAR(
       Angles(ForearmInUpperArm(estimate.q_WB), ForearmInUpperArm(trial.reference->q_VB)).back(),
       30 * drift, 0.2 * kDegree);
   EXPECT_THAT(estimate.diagnostics.notes, Contains(HasSubstr("gyro bias of the forearm")));
 }
 
-TEST(Gyroscope, StartsAtTheToldPoseOrAtEqualHeadingsAndSaysWhich) {
+TEST(GyroscopeOnly, StartsAtTheToldPoseOrAtEqualHeadingsAndSaysWhich) {
   Trial trial = Brisk(16, NoErrors());
-  const Estimate told = Gyroscope({}).Run(trial.observations);
+  const Estimate told = GyroscopeOnly({}).Run(trial.observations);
   EXPECT_THAT(told.diagnostics.notes, Contains(HasSubstr("start pose")));
   trial.observations.start_pose.reset();
-  const Estimate untold = Gyroscope({}).Run(trial.observations);
+  const Estimate untold = GyroscopeOnly({}).Run(trial.observations);
   EXPECT_THAT(untold.diagnostics.notes, Contains(HasSubstr("no start pose")));
   for (const auto& [segment, q_WB] : untold.q_WB) {
     const Eigen::Vector3d x_W = q_WB.front() * Eigen::Vector3d::UnitX();
@@ -44,7 +44,7 @@ TEST(Gyroscope, StartsAtTheToldPoseOrAtEqualHeadingsAndSaysWhich) {
   }
 }
 
-TEST(Gyroscope, AppliesAPoseThatWasHeldLaterAtItsOwnInstant) {
+TEST(GyroscopeOnly, AppliesAPoseThatWasHeldLaterAtItsOwnInstant) {
   Trial trial = HingedArm({.q_WU = kFlexionAxisVertical});
   const double later = 10.3;
   const auto q_UF = ForearmInUpperArm(trial.reference->q_VB);
@@ -53,14 +53,14 @@ TEST(Gyroscope, AppliesAPoseThatWasHeldLaterAtItsOwnInstant) {
                       trial.observations.arm.side);
   trial.observations.start_pose->time = later;
   trial.observations.start_pose->elbow_flexion = angles.flexion;
-  const Estimate estimate = Gyroscope({}).Run(trial.observations);
+  const Estimate estimate = GyroscopeOnly({}).Run(trial.observations);
   EXPECT_LT(RmsAngle(ForearmInUpperArm(estimate.q_WB), q_UF), 0.01 * kDegree);
 }
 
-TEST(Gyroscope, LeavesInstantsThatASensorDoesNotCoverEmpty) {
+TEST(GyroscopeOnly, LeavesInstantsThatASensorDoesNotCoverEmpty) {
   Trial trial = Brisk(16, NoErrors());
   trial.observations.recordings[1] = Cut(trial.observations.recordings[1], 2.0, 14.0);
-  const Estimate estimate = Gyroscope({}).Run(trial.observations);
+  const Estimate estimate = GyroscopeOnly({}).Run(trial.observations);
   for (const auto& [segment, q_WB] : estimate.q_WB) {
     EXPECT_TRUE(q_WB.front().coeffs().hasNaN()) << Name(segment);
     EXPECT_TRUE(q_WB.back().coeffs().hasNaN()) << Name(segment);
@@ -68,13 +68,13 @@ TEST(Gyroscope, LeavesInstantsThatASensorDoesNotCoverEmpty) {
   }
 }
 
-TEST(Gyroscope, FollowsOneSensorAloneWithoutAMounting) {
+TEST(GyroscopeOnly, FollowsOneSensorAloneWithoutAMounting) {
   Observations observations = Brisk(16).observations;
   observations.recordings.pop_back();
   observations.recordings[0].mounting.reset();
   std::string why;
-  ASSERT_TRUE(Gyroscope({}).Accepts(observations, &why)) << why;
-  EXPECT_FALSE(Gyroscope({}).Run(observations).q_WB.begin()->second.back().coeffs().hasNaN());
+  ASSERT_TRUE(GyroscopeOnly({}).Accepts(observations, &why)) << why;
+  EXPECT_FALSE(GyroscopeOnly({}).Run(observations).q_WB.begin()->second.back().coeffs().hasNaN());
 }
 
 }  // namespace
