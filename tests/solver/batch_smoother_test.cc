@@ -39,6 +39,31 @@ Observations AtHalfTheRate(Observations observations) {
   return observations;
 }
 
+// A trial and, minutes later, the same movement again; nothing was recorded between.
+Observations TwiceWithABreak(const Observations& once, double gap) {
+  Observations twice = once;
+  for (Recording& recording : twice.recordings) {
+    const Recording first = recording;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      recording.time.push_back(first.time[i] + first.time.back() + gap);
+      recording.gyr_S.push_back(first.gyr_S[i]);
+      recording.acc_S.push_back(first.acc_S[i]);
+    }
+  }
+  return twice;
+}
+
+TEST(BatchSmoother, CrossesAGapOfMinutes) {
+  const Trial trial = Brisk(16);
+  const Estimate once = Smoothed(trial.observations);
+  const Estimate twice = Smoothed(TwiceWithABreak(trial.observations, 180.0));
+  ASSERT_EQ(twice.time.size(), 2 * once.time.size());
+  const auto q_UF = ForearmInUpperArm(twice.q_WB), truth = ForearmInUpperArm(trial.reference->q_VB);
+  const auto middle = q_UF.begin() + static_cast<std::ptrdiff_t>(once.time.size());
+  EXPECT_LT(RmsAngle({q_UF.begin(), middle}, truth), 0.5 * kDegree);
+  EXPECT_LT(RmsAngle({middle, q_UF.end()}, truth), 0.5 * kDegree);
+}
+
 TEST(BatchSmoother, GivesTheSameAnswerAtHalfTheKnotSpacing) {
   const Observations observations = Brisk(30).observations;
   const Estimate coarse = Smoothed(observations, {.knot_spacing_s = 0.05, .model = {}});
