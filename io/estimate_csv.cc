@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <list>
 #include <string_view>
@@ -12,8 +11,8 @@
 #include "io/input_error.h"
 #include "io/mounting_json.h"
 #include "io/text.h"
+#include "problems/arm_angles.h"
 #include "problems/arm_model.h"
-#include "problems/joint_angles.h"
 
 namespace brachium {
 namespace {
@@ -35,10 +34,12 @@ class Table {
       if (const auto sd = estimate.sd_B.find(segment); sd != estimate.sd_B.end())
         AddDeviations(std::string(Name(segment)), sd->second);
     }
-    for (const auto& [name, p_W] : estimate.p_W) AddPosition(name, p_W);
-    AddElbow();
-    AddShoulder();
-    AddWrist();
+    for (const auto& [name, p_W] : estimate.p_W) {
+      AddVectors(name, "", p_W);
+      if (const auto sd = estimate.sd_W.find(name); sd != estimate.sd_W.end())
+        AddVectors(name, "_sd", sd->second);
+    }
+    AddAngles();
   }
 
   void Write(const std::string& file) const { WriteCsv(file, estimate_.time.size(), columns_); }
@@ -62,75 +63,49 @@ class Table {
     }
   }
 
-  void AddPosition(const std::string& name, const std::vector<Eigen::Vector3d>& p_W) {
-    if (p_W.empty()) return;
-    columns_.push_back({name + "_px", p_W[0].data(), 3});
-    columns_.push_back({name + "_py", p_W[0].data() + 1, 3});
-    columns_.push_back({name + "_pz", p_W[0].data() + 2, 3});
+  void AddVectors(const std::string& name, const std::string& suffix,
+                  const std::vector<Eigen::Vector3d>& vectors) {
+    if (vectors.empty()) return;
+    columns_.push_back({name + "_px" + suffix, vectors[0].data(), 3});
+    columns_.push_back({name + "_py" + suffix, vectors[0].data() + 1, 3});
+    columns_.push_back({name + "_pz" + suffix, vectors[0].data() + 2, 3});
   }
 
-  const Rotations* Find(Segment segment) const {
-    const auto found = estimate_.q_WB.find(segment);
-    return found != estimate_.q_WB.end() ? &found->second : nullptr;
-  }
-
-  // A column of angles [rad] by row, kept in degrees; a row whose rotation is a gap gets none.
-  void AddAngles(const std::string& name, const Rotations& q,
-                 const std::function<double(const Eigen::Quaterniond&)>& angle) {
+  // A column in degrees of numbers in radians.
+  void AddDegrees(const std::string& name, const std::vector<double>& radians) {
     std::vector<double>& degrees = made_.emplace_back();
-    degrees.reserve(q.size());
-    for (const Eigen::Quaterniond& q_AB : q)
-      degrees.push_back(q_AB.coeffs().allFinite() ? angle(q_AB) / kDegree : kNaN);
+    degrees.reserve(radians.size());
+    for (const double angle : radians) degrees.push_back(angle / kDegree);
     columns_.push_back({name, degrees.data(), 1});
   }
 
-  static Rotations Relative(const Rotations& q_WA, const Rotations& q_WB) {
-    Rotations q_AB;
-    q_AB.reserve(q_WA.size());
-    for (std::size_t i = 0; i < q_WA.size(); ++i) q_AB.push_back(q_WA[i].conjugate() * q_WB[i]);
-    return q_AB;
+  void AddAngles() {
+    std::set<Segment> known;
+    for (const auto& [segment, q_WB] : estimate_.q_WB) known.insert(segment);
+    for (const ArmAngle& angle : ArmAngles(known, estimate_.side)) {
+      AddDegrees(angle.name + "_deg", Read(angle));
+      AddAngleDeviation(angle.name);
+    }
+    AddAngleDeviation("relative_heading");
   }
 
-  void AddElbow() {
-    const Rotations* const q_WU = Find(Segment::kUpperArm);
-    const Rotations* const q_WF = Find(Segment::kForearm);
-    if (q_WU == nullptr || q_WF == nullptr) return;
-    const Rotations q_UF = Relative(*q_WU, *q_WF);
-    const Side side = estimate_.side;
-    AddAngles("elbow_flexion_deg", q_UF,
-              [side](const auto& q) { return ElbowAnglesFrom(q, side).flexion; });
-    AddAngles("elbow_carrying_deg", q_UF,
-              [side](const auto& q) { return ElbowAnglesFrom(q, side).carrying; });
-    AddAngles("forearm_pronation_deg", q_UF,
-              [side](const auto& q) { return ElbowAnglesFrom(q, side).pronation; });
+  // By row; a row whose rotations are a gap gets none.
+  std::vector<double> Read(const ArmAngle& angle) const {
+    const Rotations& q_WB = estimate_.q_WB.at(angle.distal);
+    std::vector<double> angles;
+    angles.reserve(q_WB.size());
+    for (std::size_t row = 0; row < q_WB.size(); ++row) {
+      const Eigen::Quaterniond q_AB =
+          angle.proximal ? estimate_.q_WB.at(*angle.proximal)[row].conjugate() * q_WB[row]
+                         : q_WB[row];
+      angles.push_back(q_AB.coeffs().allFinite() ? angle.of(q_AB) : kNaN);
+    }
+    return angles;
   }
 
-  void AddShoulder() {
-    const Rotations* const q_WU = Find(Segment::kUpperArm);
-    const Rotations* const q_WT = Find(Segment::kThorax);
-    if (q_WU == nullptr) return;
-    if (q_WT == nullptr) return AddAngles("shoulder_elevation_deg", *q_WU, ShoulderElevation);
-    const Rotations q_TU = Relative(*q_WT, *q_WU);
-    const Side side = estimate_.side;
-    AddAngles("shoulder_plane_deg", q_TU,
-              [side](const auto& q) { return ShoulderAnglesFrom(q, side).plane.value_or(kNaN); });
-    AddAngles("shoulder_elevation_deg", q_TU,
-              [side](const auto& q) { return ShoulderAnglesFrom(q, side).elevation; });
-    AddAngles("shoulder_rotation_deg", q_TU, [side](const auto& q) {
-      return ShoulderAnglesFrom(q, side).rotation.value_or(kNaN);
-    });
-  }
-
-  void AddWrist() {
-    const Rotations* const q_WF = Find(Segment::kForearm);
-    const Rotations* const q_WH = Find(Segment::kHand);
-    if (q_WF == nullptr || q_WH == nullptr) return;
-    const Rotations q_FH = Relative(*q_WF, *q_WH);
-    const Side side = estimate_.side;
-    AddAngles("wrist_flexion_deg", q_FH,
-              [side](const auto& q) { return WristAnglesFrom(q, side).flexion; });
-    AddAngles("wrist_deviation_deg", q_FH,
-              [side](const auto& q) { return WristAnglesFrom(q, side).deviation; });
+  void AddAngleDeviation(const std::string& name) {
+    if (const auto sd = estimate_.sd_angle.find(name); sd != estimate_.sd_angle.end())
+      AddDegrees(name + "_sd_deg", sd->second);
   }
 
   const Estimate& estimate_;
@@ -162,13 +137,23 @@ std::vector<Eigen::Vector3d> ReadDeviations(const CsvTable& table, const std::st
   return sd_B;
 }
 
-std::vector<Eigen::Vector3d> ReadPositions(const CsvTable& table, const std::string& name) {
-  const auto &x = table.Column(name + "_px"), &y = table.Column(name + "_py"),
-             &z = table.Column(name + "_pz");
-  std::vector<Eigen::Vector3d> positions;
-  positions.reserve(table.rows);
-  for (std::size_t row = 0; row < table.rows; ++row) positions.emplace_back(x[row], y[row], z[row]);
-  return positions;
+std::vector<Eigen::Vector3d> ReadVectors(const CsvTable& table, const std::string& name,
+                                         const std::string& suffix) {
+  const auto &x = table.Column(name + "_px" + suffix), &y = table.Column(name + "_py" + suffix),
+             &z = table.Column(name + "_pz" + suffix);
+  std::vector<Eigen::Vector3d> vectors;
+  vectors.reserve(table.rows);
+  for (std::size_t row = 0; row < table.rows; ++row) vectors.emplace_back(x[row], y[row], z[row]);
+  return vectors;
+}
+
+constexpr std::string_view kAngleDeviation = "_sd_deg";
+
+// A standard deviation of an angle, not one of those of a rotation.
+bool IsAngleDeviation(const std::string& column) {
+  return column.ends_with(kAngleDeviation) &&
+         std::none_of(kDeviations.begin(), kDeviations.end(),
+                      [&](const char* end) { return column.ends_with(end); });
 }
 
 }  // namespace
@@ -191,7 +176,12 @@ Estimate ReadEstimateCsv(const std::string& file) {
   for (const std::string& column : table.names)
     if (column.ends_with("_px")) {
       const std::string name = column.substr(0, column.size() - 3);
-      estimate.p_W[name] = ReadPositions(table, name);
+      estimate.p_W[name] = ReadVectors(table, name, "");
+      if (table.Has(name + "_px_sd")) estimate.sd_W[name] = ReadVectors(table, name, "_sd");
+    } else if (IsAngleDeviation(column)) {
+      auto& sd = estimate.sd_angle[column.substr(0, column.size() - kAngleDeviation.size())];
+      sd = table.Column(column);
+      for (double& value : sd) value *= kDegree;
     }
   return estimate;
 }

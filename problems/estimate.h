@@ -75,6 +75,10 @@ struct Estimate {
   std::map<Segment, std::vector<Eigen::Quaterniond>> q_WB;
   std::map<Segment, std::vector<Eigen::Vector3d>> sd_B;     // of q_WB's error, segment axes [rad]
   std::map<std::string, std::vector<Eigen::Vector3d>> p_W;  // by name as in Reference [m]
+  // Standard deviations: of p_W, by the same names, in world axes [m]; of joint angles by name
+  // ("elbow_flexion"), and of "relative_heading", forearm against upper arm [rad].
+  std::map<std::string, std::vector<Eigen::Vector3d>> sd_W;
+  std::map<std::string, std::vector<double>> sd_angle;
   Diagnostics diagnostics;
   std::vector<StageTime> timing;
 };

@@ -41,4 +41,17 @@ std::string_view DistalJointName(Segment segment) {
   return "";
 }
 
+std::string_view ProximalJointName(Segment segment) {
+  switch (segment) {
+    case Segment::kUpperArm:
+      return "shoulder";
+    case Segment::kForearm:
+      return "elbow";
+    case Segment::kHand:
+      return "wrist";
+    default:
+      return "";
+  }
+}
+
 }  // namespace brachium

@@ -28,4 +28,7 @@ std::optional<Segment> SegmentFromName(std::string_view name);
 // The joint at a segment's distal end: "shoulder" for thorax and girdle, "elbow", "wrist", "hand".
 std::string_view DistalJointName(Segment segment);
 
+// At its proximal end, where that joint has a name: "shoulder", "elbow", "wrist", or "".
+std::string_view ProximalJointName(Segment segment);
+
 }  // namespace brachium

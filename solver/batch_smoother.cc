@@ -6,6 +6,7 @@
 #include "solver/diagnosis.h"
 #include "solver/least_squares.h"
 #include "solver/stage_clock.h"
+#include "solver/standard_deviations.h"
 #include "solver/trajectory.h"
 #include "solver/unmodelled.h"
 #include "solver/wearing.h"
@@ -92,14 +93,24 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
         problem, state,
         {.solver = solver, .most_iterations = 100, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
-  const Certainty certainty = AssessCertainty(problem, state, &workspace);
   stage("whole trial");
 
   FillTrajectory(problem, state, estimate);
+  stage("trajectory");
+
+  Certainty certainty;
+  if (options_.covariance) {
+    PoseCovariance poses(problem, state);
+    certainty = AssessCertainty(problem, state, &workspace, &poses);
+    FillStandardDeviations(problem, poses, estimate);
+    stage("covariance");
+  } else {
+    certainty.singular = FindSingular(problem, state, workspace);
+  }
   diagnostics.singular = !certainty.singular.empty();
   diagnostics.residuals = DescribeResiduals(problem, state);
   diagnostics.constants = DescribeConstants(problem, state, certainty);
-  diagnostics.held_by_prior = HeldByPrior(problem, certainty);
+  if (options_.covariance) diagnostics.held_by_prior = HeldByPrior(problem, certainty);
   diagnostics.notes = FarFromTold(problem, state);
   diagnostics.rests = DescribeRests(problem);
   diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},

@@ -15,6 +15,7 @@ struct SmootherOptions {
   double window_s = 5.0;
   double window_advance_s = 2.5;
   int weight_iterations = 2;
+  bool covariance = true;
   std::string solver = "chain";
   int threads = 1;
   ModelOptions model;
@@ -36,6 +37,9 @@ struct SmootherOptions {
     visit("weight_iterations", options.weight_iterations,
           "How often the accelerometers' weights are estimated from the residuals and the trial "
           "solved again. 0 keeps the first guess.");
+    visit("covariance", options.covariance,
+          "Tell standard deviations, of the constants too, and what only its prior holds. Off: "
+          "about a fifth of the time is saved.");
     visit("solver", options.solver,
           "What finds the minimum: chain, which eliminates along time, or ceres, which is slower "
           "and checks it.");

@@ -31,7 +31,8 @@ double RelativeHeadingSd(const ArmProblem& problem, const State& state, int sens
 
 }  // namespace
 
-Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspace* workspace) {
+Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspace* workspace,
+                          PoseCovariance* poses) {
   std::optional<ChainWorkspace> own;
   if (workspace == nullptr) workspace = &own.emplace(problem);
   const int past_end = problem.size().knots;
@@ -51,11 +52,16 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspac
           if (u.kind == UnknownKind::kRoot && u.sensor == problem.size().roots - 1)
             certainty.root_sd[U(u.place)] = std::sqrt(variance.maxCoeff());
         }
+        if (poses != nullptr) poses->Collect(knot, index, covariance);
         for (int sensor = 1; knot == 0 && sensor < problem.size().sensors; ++sensor)
           certainty.start_heading_sd[U(sensor)] =
               RelativeHeadingSd(problem, state, sensor, index, covariance);
       });
   return certainty;
+}
+
+std::vector<int> FindSingular(const ArmProblem& problem, State& state, ChainWorkspace& workspace) {
+  return Elimination(problem, state, {}, 0, problem.size().knots, workspace).singular();
 }
 
 }  // namespace brachium

@@ -7,6 +7,7 @@
 
 #include "problems/arm_problem.h"
 #include "solver/front_sweep.h"
+#include "solver/pose_covariance.h"
 
 namespace brachium {
 
@@ -19,7 +20,11 @@ struct Certainty {
 };
 
 // Linearises the trial at `state`. Cost and memory are linear in its length; `workspace` as in Solve().
+// `poses`, unless null, is filled with what it collects.
 Certainty AssessCertainty(const ArmProblem& problem, State& state,
-                          ChainWorkspace* workspace = nullptr);
+                          ChainWorkspace* workspace = nullptr, PoseCovariance* poses = nullptr);
+
+// Only what AssessCertainty() calls singular, at a fraction of the cost.
+std::vector<int> FindSingular(const ArmProblem& problem, State& state, ChainWorkspace& workspace);
 
 }  // namespace brachium

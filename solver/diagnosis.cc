@@ -19,18 +19,16 @@ std::string SegmentName(const ArmProblem& problem, int sensor) {
   return std::string(Name(problem.observations().recordings[U(sensor)].segment));
 }
 
-// How a constant is called in results, in what unit, and what its prior's sd is in SI.
+// How a constant is called in results, and what its prior's sd is.
 struct ConstantEntry {
   std::string name;
-  double unit = 1.0;  // result = SI value / unit
   std::vector<double> prior_sd;
 };
 
 std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& unknown) {
   const Observations& observations = problem.observations();
   const auto named = [&](const char* name, double sigma) {
-    return ConstantEntry{
-        SegmentName(problem, unknown.sensor) + "." + name, 1.0, {sigma, sigma, sigma}};
+    return ConstantEntry{SegmentName(problem, unknown.sensor) + "." + name, {sigma, sigma, sigma}};
   };
   switch (unknown.kind) {
     case UnknownKind::kGyroScale:
@@ -49,7 +47,7 @@ std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& 
           observations.arm.segments.at(observations.recordings[U(unknown.sensor)].segment).sigma);
     case UnknownKind::kShoulderMean: {
       const double sigma = observations.arm.shoulder.sigma;
-      return ConstantEntry{"shoulder.mean_m", 1.0, {sigma, sigma, sigma}};
+      return ConstantEntry{"shoulder.mean_m", {sigma, sigma, sigma}};
     }
     default:
       return std::nullopt;
@@ -108,12 +106,20 @@ std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& 
   for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown) {
     const Unknown u = problem.Describe(unknown);
     const double* x = state.Constant(u.kind, u.sensor);
-    const Eigen::VectorXd& sd = certainty.constant_sd.at(unknown);
+    const auto found = certainty.constant_sd.find(unknown);
+    const auto add = [&](const std::string& name, int first, int count, double unit) {
+      Constant constant{name, {}, {}};
+      for (int i = first; i < first + count; ++i) {
+        constant.value.push_back(x[i] / unit);
+        if (found != certainty.constant_sd.end()) constant.sd.push_back(found->second[i] / unit);
+      }
+      constants.push_back(constant);
+    };
     if (u.kind == UnknownKind::kCarryingAngle) {
-      constants.push_back({"elbow.carrying_angle_deg", {x[0] / kDegree}, {sd[0] / kDegree}});
-      constants.push_back({"elbow.carrying_slope_deg", {x[1] / kDegree}, {sd[1] / kDegree}});
+      add("elbow.carrying_angle_deg", 0, 1, kDegree);
+      add("elbow.carrying_slope_deg", 1, 1, kDegree);
     } else if (const auto entry = Describe(problem, u)) {
-      constants.push_back({entry->name, {x[0], x[1], x[2]}, {sd[0], sd[1], sd[2]}});
+      add(entry->name, 0, 3, 1.0);
     }
   }
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {

@@ -10,7 +10,7 @@ namespace brachium {
 // Whitened residuals by kind and sensor at `state`.
 std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, State& state);
 
-// The constants of the trial with their standard deviations.
+// The constants of the trial, with their standard deviations where `certainty` has them.
 std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& state,
                                         const Certainty& certainty);
 

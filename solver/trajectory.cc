@@ -71,14 +71,6 @@ Vector3d RootAt(const ArmProblem& problem, const State& state, int knot, int roo
          v1 * (D * u * u * (1 - u));
 }
 
-// What to call the joint at the proximal end of the arm's first segment; a girdle's has no name.
-std::string RootName(Segment segment) {
-  if (segment == Segment::kUpperArm) return "shoulder";
-  if (segment == Segment::kForearm) return "elbow";
-  if (segment == Segment::kHand) return "wrist";
-  return "";
-}
-
 // Positions of the joints along the arm at one instant; `q_WB` by sensor.
 void StoreJoints(const ArmProblem& problem, const State& state, const Vector3d& root,
                  const std::vector<Quaterniond>& q_WB, std::size_t sample, Estimate& estimate) {
@@ -88,7 +80,7 @@ void StoreJoints(const ArmProblem& problem, const State& state, const Vector3d& 
     estimate.p_W[std::string(Name(recordings[0].segment))][sample] = root;
     return;
   }
-  const std::string name = RootName(recordings[U(first)].segment);
+  const std::string name(ProximalJointName(recordings[U(first)].segment));
   if (!name.empty()) estimate.p_W[name][sample] = root;
   Vector3d p = root;
   for (int sensor = first; sensor < sensors; ++sensor) {
@@ -107,7 +99,7 @@ void AddColumns(const ArmProblem& problem, Estimate& estimate) {
     estimate.q_WB[recording.segment].assign(samples, Quaterniond(kNaN, kNaN, kNaN, kNaN));
   if (recordings.size() == 1) return add_point(std::string(Name(recordings[0].segment)));
   const auto first = U(problem.FirstOfArm());
-  add_point(RootName(recordings[first].segment));
+  add_point(std::string(ProximalJointName(recordings[first].segment)));
   for (std::size_t i = first; i < recordings.size(); ++i)
     add_point(std::string(DistalJointName(recordings[i].segment)));
 }

@@ -32,6 +32,8 @@ Estimate MakeEstimate() {
     estimate.q_WB[Segment::kUpperArm].push_back(q_WU);
     estimate.q_WB[Segment::kForearm].push_back(q_WU * ElbowRotation(angles, Side::kLeft));
     estimate.sd_B[Segment::kForearm].emplace_back(0.01 * i, 0.02, 0.03);
+    estimate.sd_W["elbow"].emplace_back(0.001 * i, 0.002, 0.003);
+    estimate.sd_angle["elbow_flexion"].push_back(0.004 * i);
     estimate.p_W["elbow"].emplace_back(0.1 * i, 1.0 / 3, -0.2);
   }
   estimate.q_WB[Segment::kForearm][4] = kGap;
@@ -86,6 +88,12 @@ TEST(EstimateFolder, GivesTheSameMotionBack) {
   ASSERT_EQ(read.sd_B.size(), 1u);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_TRUE(read.sd_B.at(Segment::kForearm)[i].isApprox(written.sd_B.at(Segment::kForearm)[i]));
+  ASSERT_EQ(read.sd_W.size(), 1u);
+  ASSERT_EQ(read.sd_angle.size(), 1u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(read.sd_W.at("elbow")[i], written.sd_W.at("elbow")[i]);
+    EXPECT_NEAR(read.sd_angle.at("elbow_flexion")[i], 0.004 * static_cast<double>(i), 1e-12);
+  }
   ASSERT_EQ(read.p_W.size(), 1u);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_EQ(read.p_W.at("elbow")[i], written.p_W.at("elbow")[i]);
@@ -138,6 +146,8 @@ TEST(EstimateFolder, HasNoColumnForWhatIsNotEstimated) {
   estimate.q_WB.erase(Segment::kUpperArm);
   estimate.p_W.clear();
   estimate.sd_B.clear();
+  estimate.sd_W.clear();
+  estimate.sd_angle.clear();
   WriteEstimate(here.File("e"), estimate, MakeRun(), false);
   EXPECT_EQ(ReadCsv(here.File("e/estimate.csv")).names.size(), 5u);
 }
