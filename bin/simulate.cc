@@ -2,6 +2,7 @@
 #include "problems/simulation/simulate.h"
 
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "bin/commands.h"
@@ -55,6 +56,18 @@ std::string TruthJson(const SimulatedTrial& simulated, const MovementFlags& move
   return json.dump(2) + "\n";
 }
 
+// Notes how long the trial became. A hand cannot be brought everywhere, whatever the shoulder does.
+SimulatedTrial SimulatedFrom(const ErrorFlags& errors, MovementFlags& movement) {
+  try {
+    const Scenario scenario = MakeScenario(ScenarioFrom(movement, errors.draw_errors));
+    movement.duration_s = scenario.options.duration;
+    return Simulate(scenario, ErrorsFrom(errors, movement.seed, scenario));
+  } catch (const std::domain_error& unreachable) {
+    throw UsageError(std::string(unreachable.what()) +
+                     ": less of --shoulder_rms_m or --adduction_rms_deg was expected");
+  }
+}
+
 }  // namespace
 
 int RunSimulate(CommandLine& line) {
@@ -72,9 +85,7 @@ int RunSimulate(CommandLine& line) {
   RequireGiven(movement.scenario, "scenario");
   RequireGiven(place.output, "output");
 
-  const Scenario scenario = MakeScenario(ScenarioFrom(movement, errors.draw_errors));
-  movement.duration_s = scenario.options.duration;
-  const SimulatedTrial simulated = Simulate(scenario, ErrorsFrom(errors, movement.seed, scenario));
+  const SimulatedTrial simulated = SimulatedFrom(errors, movement);
   {
     const WithoutInterruption writing;
     WriteTrial(place.output, simulated.trial,

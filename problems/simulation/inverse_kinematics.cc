@@ -20,8 +20,10 @@ Moving Carrying(const Moving& flexion, const Moving& adduction, const ArmShape& 
 Moving ElbowFlexion(const Moving& distance_squared, const Moving& adduction,
                     const ArmShape& shape) {
   const double u = shape.upper_arm, f = shape.forearm;
+  constexpr double kFarthest = 0.99;  // of c: an elbow flexed by 8 deg, or as far from closed
   const Moving c = (0.5 / (u * f)) * (distance_squared + Constant(-u * u - f * f));
-  if (!(std::abs(c.value) < 0.98)) throw std::domain_error("the wrist is out of the arm's reach");
+  if (!(std::abs(c.value) < kFarthest))
+    throw std::domain_error("the wrist is out of the arm's reach");
   Moving flexion = Constant(std::acos(c.value));
   for (int i = 0; i < 12; ++i) {
     const Moving k = Carrying(flexion, adduction, shape);

@@ -32,7 +32,7 @@ struct Activity {
 };
 
 // Where the elbow is kept: hanging, out, and as high as the shoulder.
-const Vector3d kDown(-0.3, -1.0, 0.3), kOut(0.2, -0.7, 0.9), kHigh(0.5, 0.1, 0.9);
+const Vector3d kDown(-0.3, -1.0, 0.3), kOut(0.2, -0.7, 0.9), kHigh(0.4, -0.2, 0.9);
 
 const Vector3d kPlate(0.32, -0.22, -0.10), kMouth(0.20, 0.05, -0.13), kGlass(0.38, -0.20, 0.0);
 
@@ -59,7 +59,7 @@ Activity Pouring() {
             .elbow_T = kOut,
             .pronation = 150,
             .duration = 0.9,
-            .pause = 1.2},
+            .pause = 0.8},
            {.wrist_T = {0.36, -0.02, 0.0}, .elbow_T = kOut, .duration = 0.8, .pause = 0.0},
            {.wrist_T = {0.36, -0.18, 0.10}, .elbow_T = kDown, .duration = 0.9, .pause = 0.4}}};
 }
@@ -193,7 +193,7 @@ Activity Combing() {
 }
 
 Activity Brushing() {
-  const Station teeth{.wrist_T = {0.22, 0.03, -0.06},
+  const Station teeth{.wrist_T = {0.24, 0.03, -0.08},
                       .elbow_T = kHigh,
                       .pronation = 100,
                       .duration = 0.25,
@@ -217,13 +217,15 @@ void GoTo(const Station& station, Draws& draws, Score& score) {
            station.duration * draws.Uniform(0.9, 1.1), station.pause * draws.Uniform(0.9, 1.1));
 }
 
-// As often as the time allows; what is left of it the hand stays.
+// Again and again, for as long as the time allows; what is left of it the hand stays.
 void Perform(const Activity& activity, Draws& draws, Score& score) {
+  constexpr double kSlowest = 1.1;
   const double start = score.time(), end = start + activity.seconds;
-  double longest = 0.0;
-  for (const Station& station : activity.cycle) longest += 1.1 * (station.duration + station.pause);
-  while (score.time() + longest <= end)
-    for (const Station& station : activity.cycle) GoTo(station, draws, score);
+  for (std::size_t i = 0;; i = (i + 1) % activity.cycle.size()) {
+    const Station& station = activity.cycle[i];
+    if (score.time() + kSlowest * (station.duration + station.pause) > end) break;
+    GoTo(station, draws, score);
+  }
   score.WaitUntil(end);
   score.Label(std::string("task:") + activity.name, start, end);
 }

