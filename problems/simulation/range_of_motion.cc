@@ -2,8 +2,9 @@
 //
 // Sources: Bai et al. 2015, sections II.A and III.B: the seven, three repetitions in each of ten
 // weekly sessions, abduction of healthy volunteers 140-170 deg, the patient's in patient.h. The
-// other ends are within those of Boone & Azen 1979; the patient has the same share of each as of
+// other ends are within those of Boone & Azen 1979; a patient has the same share of each as of
 // abduction.
+#include <algorithm>
 #include <cmath>
 
 #include "problems/simulation/families.h"
@@ -51,9 +52,10 @@ class Session {
   void Test(const Freedom& freedom) {
     score_.Go(Neutral(freedom), 1.0, 0.5);
     const double start = score_.time();
+    const double share = freedom.joint == kShoulderAbduction ? share_ : std::min(share_, 1.0);
     for (int repetition = 0; repetition < 3; ++repetition) {
       const double cycle = score_.time();
-      const double reached = share_ * draws_.Uniform(0.97, 1.03);
+      const double reached = share * draws_.Uniform(0.97, 1.03);
       const double high = freedom.neutral + reached * (freedom.high - freedom.neutral);
       const double low = freedom.neutral + reached * (freedom.low - freedom.neutral);
       Go(freedom, freedom.neutral, high);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <stdexcept>
 
 #include "problems/simulation/patient.h"
 #include "tests/support/scenarios.h"
@@ -16,37 +16,6 @@ Vector3d Place(const Scenario& scenario, const std::string& name) {
   for (const TrueValue& fact : scenario.facts)
     if (fact.name == name) return Vector3d(fact.value.data());
   throw std::out_of_range(name);
-}
-
-TEST(GoniometerSteps, HoldEveryTenDegreesToEighty) {
-  const Scenario scenario = MakeUsual("goniometer_steps");
-  ASSERT_EQ(scenario.intervals.size(), 8u);
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Interval& hold = scenario.intervals[i];
-    EXPECT_GE(hold.end - hold.start, 2.9);
-    for (double t = hold.start + 0.01; t < hold.end; t += 0.1) {
-      const ArmMotion arm = scenario.At(t);
-      const double angle = arm.upper_arm.turning.q_AB.angularDistance(arm.forearm.turning.q_AB);
-      EXPECT_NEAR(angle, 10.0 * static_cast<double>(i + 1) * kDegree, 1e-12);
-    }
-  }
-}
-
-TEST(GoniometerSwing, RaisesTheEndOfTheArmByTenCentimetresInAVerticalPlane) {
-  for (const Side side : {Side::kRight, Side::kLeft}) {
-    const Scenario scenario = MakeUsual("goniometer_swing", side);
-    const Vector3d hinge = scenario.At(0.0).forearm.joint_W.p;
-    const Vector3d start = scenario.At(0.0).wrist_W.p - hinge;
-    EXPECT_NEAR(start.z(), 0.0, 1e-12);
-    double top = 0.0;
-    for (double t = 0.0; t < scenario.options.duration; t += 0.01) {
-      EXPECT_LT((scenario.At(t).forearm.joint_W.p - hinge).norm(), 1e-12);
-      const Vector3d end = scenario.At(t).wrist_W.p - hinge;
-      EXPECT_NEAR(end.dot(start.cross(Vector3d::UnitZ())), 0.0, 1e-12);
-      top = std::max(top, end.z());
-    }
-    EXPECT_NEAR(top, 0.1, 1e-12);
-  }
 }
 
 TEST(NineHolePegTest, PutsTheFingertipIntoEveryHoleInOrder) {
@@ -125,41 +94,6 @@ TEST(Tremor, LiesBetweenFourAndSixHertzAndIsAbsentAtRest) {
   EXPECT_GT(frequency, 4.0);
   EXPECT_LT(frequency, 6.0);
   EXPECT_EQ(scenario.JointsAt(1.0)[kWristFlexion].rate, 0.0);
-}
-
-TEST(RangeOfMotion, TestsSevenFreedomsThreeTimesEach) {
-  const Scenario scenario = MakeUsual("range_of_motion");
-  std::map<std::string, int> count;
-  for (const Interval& interval : scenario.intervals) ++count[interval.label];
-  for (const char* name :
-       {"shoulder_flexion", "shoulder_abduction", "shoulder_rotation", "elbow_flexion",
-        "forearm_pronation", "wrist_flexion", "wrist_deviation"}) {
-    EXPECT_EQ(count[std::string("task:") + name], 1) << name;
-    EXPECT_EQ(count[std::string("cycle:") + name], 3) << name;
-  }
-}
-
-double AbductionReached(const Scenario& scenario) {
-  double most = 0.0;
-  for (const Interval& cycle : scenario.intervals)
-    if (cycle.label == "cycle:shoulder_abduction")
-      for (double t = cycle.start; t < cycle.end; t += 0.01)
-        most = std::max(most, scenario.JointsAt(t)[kShoulderAbduction].value);
-  return most;
-}
-
-TEST(RangeOfMotion, GrowsOverThePatientsWeeksButForTheSetback) {
-  std::map<int, double> reached;
-  for (int week = 1; week <= kPatientWeeks; ++week)
-    reached[week] = AbductionReached(MakeUsual("range_of_motion", Side::kRight, 4, week));
-  EXPECT_NEAR(reached[1], 60 * kDegree, 5 * kDegree);
-  EXPECT_NEAR(reached[10], 120 * kDegree, 5 * kDegree);
-  EXPECT_LT(reached[5], reached[4]);
-  EXPECT_LT(reached[6], reached[4]);
-  EXPECT_GT(reached[7], reached[4]);
-  const double healthy = AbductionReached(MakeUsual("range_of_motion"));
-  EXPECT_GT(healthy, 135 * kDegree);
-  EXPECT_LT(healthy, 175 * kDegree);
 }
 
 }  // namespace
