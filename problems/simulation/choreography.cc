@@ -151,6 +151,14 @@ void AddFacts(const Choreography& composed, const Clock& clock, Scenario& scenar
     scenario.facts.push_back({"circle.radius_m", {composed.circle_radius}});
 }
 
+// Rms per axis of where the composed movements themselves take the shoulder [m].
+double ComposedShoulderRms(const ArmShape& shape, const std::vector<Movement>& movements) {
+  double squares = 0.0;
+  for (const Movement& movement : movements)
+    squares += ArmOf(movement.target, shape).upper_arm.joint_W.p.squaredNorm();
+  return std::sqrt(squares / (3.0 * static_cast<double>(movements.size())));
+}
+
 // Whatever adduction and shoulder do, the hand is where it was to be.
 void BringHands(const ArmShape& shape, std::vector<Movement>& movements) {
   for (Movement& movement : movements)
@@ -174,11 +182,12 @@ void Perform(const ScenarioKind& kind, Scenario& scenario) {
   scenario.start = composed.start;
   const double shoulder_rms = kind.rig ? 0.0 : kind.shoulder_share * options.shoulder_rms;
   const double adduction_rms = kind.rig ? 0.0 : kind.adduction_share * options.adduction_rms;
-  AddExecutionErrors(options, movements);
-  AddWander(options, adduction_rms, shoulder_rms, composed.start, movements);
   if (!movements.empty())
     scenario.shoulder =
-        ShoulderProcess(shoulder_rms, time_scale * length / static_cast<double>(movements.size()));
+        ShoulderProcess(std::hypot(shoulder_rms, ComposedShoulderRms(scenario.shape, movements)),
+                        time_scale * length / static_cast<double>(movements.size()));
+  AddExecutionErrors(options, movements);
+  AddWander(options, adduction_rms, shoulder_rms, composed.start, movements);
   BringHands(scenario.shape, movements);
 
   for (std::size_t i = 0; i < scenario.joints.size(); ++i)

@@ -78,7 +78,7 @@ struct Scenario {
   double trunk_heading = 0.0;       // of the right arm's world [rad]
   std::vector<Segment> worn;        // the segments that usually wear a sensor
   bool rig = false;                 // a hinge: no carrying angle, no shoulder that moves
-  ShoulderModel shoulder;           // how it wanders
+  ShoulderModel shoulder;           // how it moves, as a process
   std::vector<Interval> intervals;  // labelled movements
   std::vector<TrueValue> facts;     // of the movement: when, and where to
 

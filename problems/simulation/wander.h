@@ -11,7 +11,7 @@ namespace brachium {
 void AddWander(const ScenarioOptions& options, double adduction_rms, double shoulder_rms,
                JointValues& start, std::vector<Movement>& movements);
 
-// How the shoulder wanders, told as a process: an AR(1) sequence over movements that take
+// How the shoulder moves, told as a process of that rms: an AR(1) sequence over movements that take
 // `mean_step` seconds each.
 ShoulderModel ShoulderProcess(double shoulder_rms, double mean_step);
 

@@ -112,7 +112,6 @@ TEST(DrawnErrors, LetShoulderAndAdductionWanderAboutZeroWithTheirSds) {
     const MovingJoints q = scenario.JointsAt(0.0);
     shoulder += std::pow(q[kShoulderForward].value, 2) / kTrials;
     adduction += std::pow(q[kElbowAdduction].value, 2) / kTrials;
-    EXPECT_NEAR(scenario.shoulder.sigma, 0.02, 1e-12);  // a tenth of it in a shrug
   }
   EXPECT_NEAR(std::sqrt(shoulder), 0.02, 0.003);
   EXPECT_NEAR(std::sqrt(adduction), 4 * kDegree, 0.6 * kDegree);
@@ -122,9 +121,14 @@ TEST(DrawnErrors, StateHowTheShoulderWanders) {
   ScenarioOptions movement{.name = "daily_brisk", .exact_rms = false};
   const Scenario scenario = MakeScenario(movement);
   const ShoulderModel told = Simulate(scenario, Drawn()).trial.observations.arm.shoulder;
-  EXPECT_EQ(told.sigma, 0.03);
+  EXPECT_NEAR(told.sigma, 0.03, 1e-12);
   EXPECT_GT(told.correlation_time, 2.0);
   EXPECT_LT(told.correlation_time, 10.0);
+}
+
+TEST(DrawnErrors, CountTheShrugItselfAmongTheShouldersWays) {
+  const Scenario scenario = MakeScenario({.name = "shrug", .shoulder_rms = 0.0});
+  EXPECT_NEAR(scenario.shoulder.sigma, 0.08 / std::sqrt(6.0), 1e-9);  // up half of the time
 }
 
 TEST(DrawnErrors, LeaveTheDefaultSigmaWhereAnErrorIsOff) {
