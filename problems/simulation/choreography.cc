@@ -2,266 +2,199 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+#include <numbers>
+
+#include "problems/simulation/patient.h"
+#include "problems/simulation/wander.h"
 
 namespace brachium {
 namespace {
 
-constexpr double kHomeward = 1.2;  // the last movement, back to the start pose [s]
+using Eigen::Vector3d;
 
-struct Range {
-  double low, high;
-};
-
-// Everyday ranges of the joints, from shoulder flexion to pronation [rad].
-constexpr std::array<Range, 5> kDailyRange = {{{-15 * kDegree, 90 * kDegree},
-                                               {0 * kDegree, 60 * kDegree},
-                                               {-30 * kDegree, 60 * kDegree},
-                                               {15 * kDegree, 130 * kDegree},
-                                               {20 * kDegree, 150 * kDegree}}};
-
-// Longer movements take longer: 0.5 s and up to 1.2 s across a whole range, 10 % more or less.
-double DailyDuration(const JointValues& from, const JointValues& to, Draws& draws) {
-  double share = 0.0;
-  for (std::size_t i = 0; i < kDailyRange.size(); ++i)
-    share = std::max(share, std::abs(to[i] - from[i]) / (kDailyRange[i].high - kDailyRange[i].low));
-  return std::clamp((0.5 + 0.7 * share) * draws.Uniform(0.9, 1.1), 0.5, 1.2);
-}
-
-std::vector<Movement> Daily(double length, Draws& draws) {
-  std::vector<Movement> movements;
-  JointValues pose = StartPoseJoints();
-  double t = 0.0;
-  while (true) {
-    Movement movement{.start = t, .target = pose};
-    for (std::size_t i = 0; i < kDailyRange.size(); ++i)
-      movement.target[i] = draws.Uniform(kDailyRange[i].low, kDailyRange[i].high);
-    movement.duration = DailyDuration(pose, movement.target, draws);
-    const bool pause = draws.Uniform(0.0, 1.0) < 0.2;
-    const double wait = pause ? draws.Uniform(0.3, 2.0) : draws.Uniform(-0.25, 0.0);
-    if (t + movement.duration + kHomeward > length) break;
-    t += movement.duration + (pause ? wait : wait * movement.duration);
-    pose = movement.target;
-    movements.push_back(movement);
-  }
-  const double end = movements.back().start + movements.back().duration;
-  movements.push_back({.start = end, .duration = kHomeward, .target = StartPoseJoints()});
-  return movements;
-}
-
-std::vector<Movement> Reach(double length, Draws& draws) {
-  std::vector<Movement> movements;
-  const JointValues home = StartPoseJoints();
-  JointValues flexed = home;
-  flexed[kElbowFlexion] = 100 * kDegree;
-  double t = 0.0;
-  while (true) {
-    JointValues reached = home;
-    reached[kShoulderFlexion] = draws.Uniform(50 * kDegree, 80 * kDegree);
-    reached[kShoulderAbduction] = draws.Uniform(0.0, 20 * kDegree);
-    reached[kElbowFlexion] = draws.Uniform(20 * kDegree, 40 * kDegree);
-    reached[kForearmPronation] = draws.Uniform(60 * kDegree, 120 * kDegree);
-    std::vector<Movement> cycle;
-    for (const JointValues& target : {flexed, reached, flexed, home}) {
-      cycle.push_back({.start = t, .duration = draws.Uniform(0.6, 1.0), .target = target});
-      t += cycle.back().duration + draws.Uniform(0.1, 0.5);
-    }
-    if (t > length) return movements;
-    movements.insert(movements.end(), cycle.begin(), cycle.end());
-  }
-}
-
-std::vector<Movement> Shrug(double length, Draws& draws) {
-  std::vector<Movement> movements;
-  const JointValues home = StartPoseJoints();
-  JointValues raised = home;
-  raised[kShoulderUp] = 0.08;
-  double t = 0.0;
-  while (true) {
-    std::vector<Movement> cycle;
-    for (const JointValues& target : {raised, home}) {
-      cycle.push_back({.start = t, .duration = draws.Uniform(0.5, 1.0), .target = target});
-      t += cycle.back().duration + draws.Uniform(0.2, 4.0);
-    }
-    if (cycle.back().start + cycle.back().duration > length) return movements;
-    movements.insert(movements.end(), cycle.begin(), cycle.end());
-  }
-}
-
-constexpr double kCalibrationRest = 0.6;  // between movements [s]
-
-// One after the other, with rests between.
-class Sequence {
+// When a part of a movement begins, in the trial's time.
+class Clock {
  public:
-  explicit Sequence(Draws& draws) : draws_(draws) {}
+  Clock(double time_scale, StepShape shape) : scale_(time_scale), shape_(shape) {}
 
-  void Go(const JointValues& target, const std::string& label = "") {
-    const double duration = draws_.Uniform(0.9, 1.0);
-    movements_.push_back({time_, duration, target, label});
-    time_ += duration + kCalibrationRest;
-  }
-  void Repeat(const JointValues& from, const JointValues& to, const std::string& out,
-              const std::string& back) {
-    Go(from);
-    for (int repetition = 0; repetition < 5; ++repetition) {
-      Go(to, out);
-      Go(from, back);
-    }
-  }
-  const std::vector<Movement>& movements() const { return movements_; }
+  double Time(double own) const { return Rounded(kRestAtStart + scale_ * own); }
+  double Span(double own) const { return std::max(Rounded(scale_ * own), 1e-3); }
 
  private:
-  Draws& draws_;
-  double time_ = 0.0;
-  std::vector<Movement> movements_;
+  // A minimum-jerk step begins and ends with a kink of its acceleration. On whole milliseconds no
+  // integration in such steps meets one inside a step.
+  double Rounded(double t) const {
+    return shape_ == StepShape::kSmooth ? t : std::round(1e3 * t) * 1e-3;
+  }
+
+  double scale_;
+  StepShape shape_;
 };
 
-std::vector<Movement> Calibration(double, Draws& draws) {
-  JointValues bent = StartPoseJoints();
-  bent[kShoulderAbduction] = 0.0;
-  bent[kElbowFlexion] = 90 * kDegree;
-  JointValues palm_down = bent, palm_up = bent, raised = bent, abducted = bent;
-  palm_down[kForearmPronation] = 180 * kDegree;
-  palm_up[kForearmPronation] = 20 * kDegree;
-  raised[kShoulderFlexion] = 45 * kDegree;
-  raised[kShoulderRotation] = -30 * kDegree;
-  JointValues rotated = raised;
-  rotated[kShoulderRotation] = 50 * kDegree;
-  abducted[kShoulderAbduction] = 70 * kDegree;
-  Sequence sequence(draws);
-  sequence.Repeat(palm_down, palm_up, "calibration:forearm_supination",
-                  "calibration:forearm_pronation");
-  sequence.Repeat(raised, rotated, "calibration:upper_arm_endorotation",
-                  "calibration:upper_arm_exorotation");
-  sequence.Repeat(bent, abducted, "calibration:upper_arm_abduction", "");
-  sequence.Go(StartPoseJoints());
-  return sequence.movements();
+// A change of one joint in several strokes, each after the other.
+void AddStrokes(const Clock& clock, double start, double duration, double change, int strokes,
+                StepShape shape, Motion& motion) {
+  const double part = 1.0 / strokes;
+  for (int i = 0; i < strokes; ++i)
+    motion.AddStep(clock.Time(start + i * part * duration), clock.Span(part * duration),
+                   part * change, shape);
 }
 
-struct Choreography {
-  std::string_view name;
-  std::vector<Movement> (*compose)(double length, Draws& draws);
-  double time_scale = 1.0;
-  double shoulder_share = 1.0;   // of the options' shoulder rms
-  double adduction_share = 1.0;  // of the options' adduction rms
-  double shortest = 10.0;        // time that it needs, before the time scale [s]
-};
-
-constexpr std::array kChoreographies = {
-    Choreography{.name = "daily_brisk", .compose = Daily},
-    Choreography{.name = "daily_slow", .compose = Daily, .time_scale = 4.0},
-    Choreography{.name = "reach", .compose = Reach, .shoulder_share = 0.5},
-    Choreography{.name = "shrug", .compose = Shrug, .shoulder_share = 0.1},
-    Choreography{.name = "calibration",
-                 .compose = Calibration,
-                 .shoulder_share = 0.2,
-                 .adduction_share = 0.2,
-                 .shortest = 55.0}};
-
-const Choreography& Find(const std::string& name) {
-  return *std::find_if(kChoreographies.begin(), kChoreographies.end(),
-                       [&name](const Choreography& c) { return c.name == name; });
-}
-
-// One value per movement, after a first for the start: an AR(1) sequence, shifted and scaled to
-// mean zero and the given rms.
-std::vector<double> Wander(std::size_t movements, double rms, double correlation, Draws& draws) {
-  std::vector<double> x(movements + 1);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] = i == 0
-               ? draws.Normal()
-               : correlation * x[i - 1] + std::sqrt(1 - correlation * correlation) * draws.Normal();
-  double mean = 0.0, power = 0.0;
-  for (const double value : x) mean += value / static_cast<double>(x.size());
-  for (const double value : x)
-    power += (value - mean) * (value - mean) / static_cast<double>(x.size());
-  for (double& value : x) value = rms * (value - mean) / std::sqrt(power);
-  return x;
-}
-
-// Adds a wandering of one joint to the movements and to the pose they start from.
-void AddWander(Joint joint, const std::vector<double>& wander, JointValues& start,
-               std::vector<Movement>& movements) {
-  start[joint] += wander[0];
-  for (std::size_t i = 0; i < movements.size(); ++i) movements[i].target[joint] += wander[i + 1];
-}
-
-// Steps of one joint; it uses a part of each movement's time, from up to 20 % after its start to up
-// to 10 % before its end.
-Motion JointMotion(Joint joint, const JointValues& start, const std::vector<Movement>& movements,
-                   double time_scale, Draws draws) {
+// Steps of one joint. Where joints move apart, each uses a part of each movement's time, from up to
+// 20 % after its start to up to 10 % before its end.
+Motion JointMotion(Joint joint, const ScenarioKind& kind, const Clock& clock,
+                   const JointValues& start, const std::vector<Movement>& movements, Draws draws) {
   Motion motion(start[joint]);
   double from = start[joint];
   for (const Movement& m : movements) {
-    const double late = draws.Uniform(0.0, 0.2), early = draws.Uniform(0.0, 0.1);
-    motion.AddStep(kRestAtStart + time_scale * (m.start + late * m.duration),
-                   time_scale * (1.0 - late - early) * m.duration, m.target[joint] - from);
+    double late = 0.0, early = 0.0;
+    if (kind.joints_apart) {
+      late = draws.Uniform(0.0, 0.2);
+      early = draws.Uniform(0.0, 0.1);
+    }
+    AddStrokes(clock, m.start + late * m.duration, (1.0 - late - early) * m.duration,
+               m.target[joint] - from, m.strokes, kind.shape, motion);
     from = m.target[joint];
   }
   return motion;
 }
 
-// What the scenario's movements are, in its own time.
-std::vector<Movement> Composed(const ScenarioOptions& options) {
-  const double length = (options.duration - kRestAtStart - kRestAtEnd) / TimeScale(options);
-  Draws path(options.seed, "path");
-  return Find(options.name).compose(length, path);
+// Wrist and elbow of a pose.
+struct Held {
+  Vector3d wrist_T, elbow_T;
+};
+
+Held HeldAt(const JointValues& joints, const std::optional<HandPlace>& hand,
+            const ArmShape& shape) {
+  if (hand) return {hand->p_T, hand->elbow_T};
+  const ArmMotion arm = ArmOf(joints, shape);
+  return {arm.wrist_W.p, (arm.forearm.joint_W.p - arm.upper_arm.joint_W.p) / shape.upper_arm};
+}
+
+Motion Phase(const Choreography& composed, const Clock& clock) {
+  Motion phase;
+  for (int half = 0; half < 2 * composed.laps; ++half)
+    phase.AddStep(clock.Time(composed.circle_start + 0.5 * half * composed.lap),
+                  clock.Span(composed.lap), std::numbers::pi, StepShape::kMinimumJerk);
+  return phase;
+}
+
+// Straight lines between the places, at the times of the movements.
+HandPath PathOf(const Choreography& composed, const Clock& clock, const ArmShape& shape) {
+  HandPath path;
+  Held at = HeldAt(composed.start, std::nullopt, shape);
+  for (int i = 0; i < 3; ++i) {
+    path.wrist_T[static_cast<std::size_t>(i)] = Motion(at.wrist_T[i]);
+    path.elbow_T[static_cast<std::size_t>(i)] = Motion(at.elbow_T[i]);
+  }
+  for (const Movement& m : composed.movements) {
+    const Held next = HeldAt(m.target, m.hand, shape);
+    const double start = clock.Time(m.start), duration = clock.Span(m.duration);
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      path.wrist_T[axis].AddStep(start, duration, next.wrist_T[i] - at.wrist_T[i],
+                                 StepShape::kMinimumJerk);
+      path.elbow_T[axis].AddStep(start, duration, next.elbow_T[i] - at.elbow_T[i],
+                                 StepShape::kMinimumJerk);
+    }
+    at = next;
+  }
+  path.radius = composed.circle_radius;
+  path.phase = Phase(composed, clock);
+  return path;
+}
+
+// Three sinusoids between 4 and 6 Hz for each joint that trembles.
+void AddTremor(Scenario& scenario) {
+  constexpr double kOnset = 1.0;  // [s]
+  const ScenarioOptions& options = scenario.options;
+  const double rms = options.tremor + PatientTremor(options.patient_week);
+  Draws draws(options.seed, "tremor");
+  if (rms == 0.0) return;
+  for (const Joint joint : {kElbowFlexion, kForearmPronation, kWristFlexion})
+    for (int i = 0; i < 3; ++i) {
+      const double frequency = draws.Uniform(4.0, 6.0);
+      scenario.tremor[joint].AddSinusoid(rms * std::sqrt(2.0 / 3.0), frequency,
+                                         draws.Uniform(0.0, 2.0 * std::numbers::pi));
+    }
+  scenario.tremor_envelope.AddStep(kRestAtStart, kOnset, 1.0);
+  scenario.tremor_envelope.AddStep(options.duration - kRestAtEnd - kOnset, kOnset, -1.0);
+}
+
+void AddIntervals(const Choreography& composed, double time_scale, Scenario& scenario) {
+  bool calibrates = false;
+  for (const auto& [label, start, end] : composed.intervals) {
+    scenario.intervals.push_back(
+        {label, kRestAtStart + time_scale * start, kRestAtStart + time_scale * end});
+    calibrates = calibrates || (label.starts_with("calibration:") && !composed.movements.empty());
+  }
+  if (calibrates)
+    scenario.intervals.insert(scenario.intervals.begin(),
+                              {"calibration:static_pose", 0.2, kRestAtStart - 0.2});
+}
+
+void AddFacts(const Choreography& composed, const Clock& clock, Scenario& scenario) {
+  TrueValue start{"movements.start_s", {}}, end{"movements.end_s", {}};
+  for (const Movement& m : composed.movements) {
+    start.value.push_back(clock.Time(m.start));
+    end.value.push_back(clock.Time(m.start) + clock.Span(m.duration));
+  }
+  if (!composed.movements.empty()) scenario.facts = {start, end};
+  const Eigen::Quaterniond q_WT = Eigen::AngleAxisd(scenario.trunk_heading, Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX());
+  const double s = Sign(scenario.options.side);
+  for (const auto& [name, place_T] : composed.places) {
+    const Vector3d p_W = q_WT * place_T;
+    scenario.facts.push_back({name, {p_W.x(), s * p_W.y(), p_W.z()}});
+  }
+  if (composed.circle_radius > 0.0)
+    scenario.facts.push_back({"circle.radius_m", {composed.circle_radius}});
+}
+
+// Rms per axis of where the composed movements themselves take the shoulder [m].
+double ComposedShoulderRms(const ArmShape& shape, const std::vector<Movement>& movements) {
+  double squares = 0.0;
+  for (const Movement& movement : movements)
+    squares += ArmOf(movement.target, shape).upper_arm.joint_W.p.squaredNorm();
+  return std::sqrt(squares / (3.0 * static_cast<double>(movements.size())));
+}
+
+// Whatever adduction and shoulder do, the hand is where it was to be.
+void BringHands(const ArmShape& shape, std::vector<Movement>& movements) {
+  for (Movement& movement : movements)
+    if (movement.hand) BringHandTo(*movement.hand, shape, movement.target);
 }
 
 }  // namespace
 
-double TimeScale(const ScenarioOptions& options) {
-  return options.time_scale * Find(options.name).time_scale;
-}
-
-double ShortestPerformance(const ScenarioOptions& options) { return Find(options.name).shortest; }
-
-std::vector<std::string> ScenarioNames() {
-  std::vector<std::string> names;
-  for (const Choreography& c : kChoreographies) names.emplace_back(c.name);
-  return names;
-}
-
-JointValues StartPoseJoints() {
-  JointValues pose{};
-  pose[kShoulderAbduction] = 8 * kDegree;
-  pose[kElbowFlexion] = 10 * kDegree;
-  pose[kForearmPronation] = 90 * kDegree;
-  return pose;
-}
-
-std::array<Motion, kJointCount> Perform(const ScenarioOptions& options) {
-  const Choreography& choreography = Find(options.name);
+void Perform(const ScenarioKind& kind, Scenario& scenario) {
+  const ScenarioOptions& options = scenario.options;
   const double time_scale = TimeScale(options);
-  Draws wander(options.seed, "wander");
-  std::vector<Movement> movements = Composed(options);
-  JointValues start = StartPoseJoints();
+  const Clock clock(time_scale, kind.shape);
+  const double length = (options.duration - kRestAtStart - kRestAtEnd) / time_scale;
+  Draws path(options.seed, "path");
+  Choreography composed =
+      kind.compose({.length = length, .patient_week = options.patient_week}, path);
+  std::vector<Movement>& movements = composed.movements;
+  AddIntervals(composed, time_scale, scenario);
+  AddFacts(composed, clock, scenario);
 
-  const double shoulder_rms = choreography.shoulder_share * options.shoulder_rms;
-  const double adduction_rms = choreography.adduction_share * options.adduction_rms;
-  AddWander(kElbowAdduction, Wander(movements.size(), adduction_rms, 0.5, wander), start,
-            movements);
-  for (const Joint joint : {kShoulderForward, kShoulderUp, kShoulderRight})
-    AddWander(joint, Wander(movements.size(), shoulder_rms, 0.8, wander), start, movements);
+  scenario.start = composed.start;
+  const double shoulder_rms = kind.rig ? 0.0 : kind.shoulder_share * options.shoulder_rms;
+  const double adduction_rms = kind.rig ? 0.0 : kind.adduction_share * options.adduction_rms;
+  if (!movements.empty())
+    scenario.shoulder =
+        ShoulderProcess(std::hypot(shoulder_rms, ComposedShoulderRms(scenario.shape, movements)),
+                        time_scale * length / static_cast<double>(movements.size()));
+  AddExecutionErrors(options, movements);
+  AddWander(options, adduction_rms, shoulder_rms, composed.start, movements);
+  BringHands(scenario.shape, movements);
 
-  std::array<Motion, kJointCount> joints;
-  for (int i = 0; i < kJointCount; ++i)
-    joints[static_cast<std::size_t>(i)] =
-        JointMotion(static_cast<Joint>(i), start, movements, time_scale,
-                    Draws(options.seed, "onset" + std::to_string(i)));
-  return joints;
-}
-
-std::vector<Interval> LabelledIntervals(const ScenarioOptions& options) {
-  const double scale = TimeScale(options), margin = 0.5 * kCalibrationRest;
-  std::vector<Interval> intervals;
-  for (const Movement& m : Composed(options))
-    if (!m.label.empty())
-      intervals.push_back({m.label, kRestAtStart + scale * (m.start - margin),
-                           kRestAtStart + scale * (m.start + m.duration + margin)});
-  if (!intervals.empty())
-    intervals.insert(intervals.begin(), {"calibration:static_pose", 0.2, kRestAtStart - 0.2});
-  return intervals;
+  for (std::size_t i = 0; i < scenario.joints.size(); ++i)
+    scenario.joints[i] = JointMotion(static_cast<Joint>(i), kind, clock, composed.start, movements,
+                                     Draws(options.seed, "onset" + std::to_string(i)));
+  if (kind.along_paths) scenario.hand_path = PathOf(composed, clock, scenario.shape);
+  AddTremor(scenario);
 }
 
 }  // namespace brachium

@@ -1,34 +1,41 @@
-// Which joint goes where and when: the movements of each scenario.
+// All scenarios by name, and how a composition becomes motions.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
+#include <string_view>
 
+#include "problems/simulation/movement.h"
 #include "problems/simulation/scenario.h"
 
 namespace brachium {
 
-// All joints go to `target`, between `start` and `start + duration`. Time in s from the end of the
-// rest at the start, before the options' time scale.
-struct Movement {
-  double start = 0.0;
-  double duration = 0.0;
-  JointValues target{};
-  std::string label{};  // of an interval, with half of the rests at both ends
+// One scenario: what it is called, and how it differs from the others.
+struct ScenarioKind {
+  std::string_view name;
+  std::string_view help;
+  Choreography (*compose)(const Task& task, Draws& draws);
+  double time_scale = 1.0;
+  double shoulder_share = 1.0;   // of the options' shoulder rms
+  double adduction_share = 1.0;  // of the options' adduction rms
+  double shortest = 10.0;        // time that it needs, before the time scale [s]
+  double usual = 0.0;            // time that it usually takes; 0: 60 s, rests included [s]
+  StepShape shape = StepShape::kMinimumJerk;
+  bool joints_apart = false;  // each joint has an onset of its own
+  bool along_paths = false;   // the hand moves in straight lines, or in circles
+  bool four_sensors = false;  // girdle and hand are worn too
+  bool rig = false;           // a goniometer
+  bool has_patient = false;   // ScenarioOptions::patient_week counts
 };
 
-// The shortest time in which the scenario moves and comes home [s].
-double ShortestPerformance(const ScenarioOptions& options);
+// The kind of that name; none: nullptr.
+const ScenarioKind* FindScenario(std::string_view name);
 
-// How many times slower than composed: the scenario's own slowness times the options'.
+// How many times slower than composed: the scenario's own slowness times the options', times a
+// patient's.
 double TimeScale(const ScenarioOptions& options);
 
-// The motion of each joint over the trial. Within a movement each joint starts and stops at moments
-// of its own. Requires options.IsValid().
-std::array<Motion, kJointCount> Perform(const ScenarioOptions& options);
-
-// The intervals of the labelled movements. Requires options.IsValid().
-std::vector<Interval> LabelledIntervals(const ScenarioOptions& options);
+// Fills the scenario's motions and what is known of them. Reads its options and its shape; both are
+// those of a right arm. Requires options.IsValid().
+void Perform(const ScenarioKind& kind, Scenario& scenario);
 
 }  // namespace brachium

@@ -44,7 +44,10 @@ void MirrorInPlace(Reference& reference) {
 ArmMotion Mirrored(const ArmMotion& arm) {
   return {.upper_arm = Mirrored(arm.upper_arm),
           .forearm = Mirrored(arm.forearm),
-          .wrist_W = MirroredInWorld(arm.wrist_W)};
+          .girdle = Mirrored(arm.girdle),
+          .hand = Mirrored(arm.hand),
+          .wrist_W = MirroredInWorld(arm.wrist_W),
+          .fingertip_W = MirroredInWorld(arm.fingertip_W)};
 }
 
 Mounting Mirrored(const Mounting& mounting) {

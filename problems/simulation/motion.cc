@@ -5,6 +5,18 @@
 #include <numbers>
 
 namespace brachium {
+namespace {
+
+// f(x) from the value and the first two derivatives of f at x.
+Moving Chain(double value, double slope, double curvature, const Moving& x) {
+  return {value, slope * x.rate, slope * x.acceleration + curvature * x.rate * x.rate};
+}
+
+Moving StepAt(StepShape shape, double u) {
+  return shape == StepShape::kSmooth ? SmoothStep(u) : MinimumJerkStep(u);
+}
+
+}  // namespace
 
 Moving operator+(const Moving& a, const Moving& b) {
   return {a.value + b.value, a.rate + b.rate, a.acceleration + b.acceleration};
@@ -26,6 +38,35 @@ Moving Cos(const Moving& angle) {
   return {c, -s * angle.rate, -c * angle.rate * angle.rate - s * angle.acceleration};
 }
 
+Moving Sin(const Moving& angle) {
+  const double s = std::sin(angle.value);
+  return Chain(s, std::cos(angle.value), -s, angle);
+}
+
+Moving Asin(const Moving& x) {
+  const double slope = 1.0 / std::sqrt(1.0 - x.value * x.value);
+  return Chain(std::asin(x.value), slope, x.value * slope * slope * slope, x);
+}
+
+// The angle turns at n / r^2 with n = x y' - y x' and r^2 = x^2 + y^2.
+Moving Atan2(const Moving& y, const Moving& x) {
+  const double r2 = x.value * x.value + y.value * y.value;
+  const double rate = (x.value * y.rate - y.value * x.rate) / r2;
+  const double turned = x.value * y.acceleration - y.value * x.acceleration;
+  const double stretched = 2.0 * (x.value * x.rate + y.value * y.rate);
+  return {std::atan2(y.value, x.value), rate, (turned - stretched * rate) / r2};
+}
+
+Moving Sqrt(const Moving& x) {
+  const double root = std::sqrt(x.value);
+  return Chain(root, 0.5 / root, -0.25 / (root * x.value), x);
+}
+
+Moving Inverse(const Moving& x) {
+  const double inverse = 1.0 / x.value;
+  return Chain(inverse, -inverse * inverse, 2.0 * inverse * inverse * inverse, x);
+}
+
 Moving SmoothStep(double u) {
   constexpr double kFlat = 1e-2;  // exp(-1 / kFlat) is far below the rounding of 1
   if (u <= kFlat) return {};
@@ -39,10 +80,17 @@ Moving SmoothStep(double u) {
   return {s, rate, -ddw * slope - dw * (1.0 - 2.0 * s) * rate};
 }
 
+Moving MinimumJerkStep(double u) {
+  if (u <= 0.0) return {};
+  if (u >= 1.0) return {1.0, 0.0, 0.0};
+  const double v = 1.0 - u;
+  return {u * u * u * (10.0 + u * (-15.0 + 6.0 * u)), 30.0 * u * u * v * v, 60.0 * u * v * (v - u)};
+}
+
 Motion::Motion(double start) : end_(start) {}
 
-void Motion::AddStep(double start, double duration, double change) {
-  steps_.push_back({start, duration, change, end_});
+void Motion::AddStep(double start, double duration, double change, StepShape shape) {
+  steps_.push_back({start, duration, change, end_, shape});
   end_ += change;
   longest_ = std::max(longest_, duration);
 }
@@ -58,7 +106,7 @@ Moving Motion::At(double t) const {
   if (step != steps_.end()) sum.value = step->before;
   while (step != steps_.begin() && t - (step - 1)->start < longest_) {
     --step;
-    const Moving unit = SmoothStep((t - step->start) / step->duration);
+    const Moving unit = StepAt(step->shape, (t - step->start) / step->duration);
     sum = sum + Moving{step->change * (unit.value - 1.0), step->change * unit.rate / step->duration,
                        step->change * unit.acceleration / (step->duration * step->duration)};
   }

@@ -20,11 +20,22 @@ Moving operator-(const Moving& a);
 Moving operator*(double k, const Moving& a);
 Moving operator*(const Moving& a, const Moving& b);
 Moving Cos(const Moving& angle);
+Moving Sin(const Moving& angle);
+Moving Asin(const Moving& x);                    // |x| < 1
+Moving Atan2(const Moving& y, const Moving& x);  // not of (0, 0)
+Moving Sqrt(const Moving& x);                    // x > 0
+Moving Inverse(const Moving& x);                 // x != 0
 
 // The step from 0 (u <= 0) to 1 (u >= 1), all derivatives continuous:
 //   S(u) = 1 / (1 + exp(1/u - 1/(1 - u))).
 // Bell-shaped speed with its peak, 2, in the middle (a minimum-jerk movement: 1.875).
 Moving SmoothStep(double u);
+
+// The minimum-jerk step, 10 u^3 - 15 u^4 + 6 u^5 between 0 and 1: the speed profile of unhurried
+// human reaching (Flash & Hogan, J. Neurosci. 5 (1985)). Its third derivative jumps at both ends.
+Moving MinimumJerkStep(double u);
+
+enum class StepShape { kSmooth, kMinimumJerk };
 
 // A start value plus steps (movements, which may overlap) plus sinusoids.
 class Motion {
@@ -33,7 +44,7 @@ class Motion {
 
   // Adds `change` between `start` and `start + duration` [s], duration > 0. Steps are added in the
   // order of their starts.
-  void AddStep(double start, double duration, double change);
+  void AddStep(double start, double duration, double change, StepShape shape = StepShape::kSmooth);
 
   // Adds amplitude * sin(2 pi frequency t + phase); frequency in Hz, phase in rad.
   void AddSinusoid(double amplitude, double frequency, double phase);
@@ -44,6 +55,7 @@ class Motion {
   struct Step {
     double start, duration, change;
     double before;  // the value when all earlier steps are done
+    StepShape shape;
   };
   struct Sinusoid {
     double amplitude, angular_frequency, phase;

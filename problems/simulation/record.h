@@ -13,8 +13,11 @@ struct SensorTruth {
   Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();      // at the first sample
   Eigen::Vector3d gyro_bias_end = Eigen::Vector3d::Zero();  // at the last
   Eigen::Vector3d accel_bias = Eigen::Vector3d::Zero();
+  std::optional<Mounting> told;                          // absent: none is
+  double rate = 0.0;                                     // [Hz]
   double clock_offset = 0.0;                             // true time = told time + offset
   Eigen::Vector3d wobble_rms = Eigen::Vector3d::Zero();  // of the turning, over the samples
+  double stamp_rms = 0.0;                                // of told against true times [s]
   std::size_t lost = 0;
 };
 
@@ -22,11 +25,12 @@ struct SensorTruth {
 Draws ErrorStream(const Scenario& scenario, const SimulationOptions& options,
                   std::string_view error, Segment segment);
 
-// Draws how a segment's sensor is worn and how wrong it is. The right arm's, whatever the side.
-SensorTruth DrawSensor(const Scenario& scenario, const SimulationOptions& options, Segment segment);
+// Draws how a segment's sensor is worn, how wrong it is and how wrongly its mounting is told. The
+// right arm's, whatever the side. The first sensor's clock is right.
+SensorTruth DrawSensor(const Scenario& scenario, const SimulationOptions& options, Segment segment,
+                       bool first);
 
-// The recording, with the mounting as it is told; completes `sensor` by what only the samples
-// decide.
+// The recording, with what is told of it; completes `sensor` by what only the samples decide.
 Recording Record(const Scenario& scenario, const SimulationOptions& options, SensorTruth& sensor);
 
 // The mirror image, as of a trial.

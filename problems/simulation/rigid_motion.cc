@@ -22,6 +22,31 @@ MovingPoint PointOf(const Moving& x, const Moving& y, const Moving& z) {
           {x.acceleration, y.acceleration, z.acceleration}};
 }
 
+MovingPoint operator+(const MovingPoint& a, const MovingPoint& b) {
+  return {a.p + b.p, a.v + b.v, a.a + b.a};
+}
+
+MovingPoint operator-(const MovingPoint& a, const MovingPoint& b) {
+  return {a.p - b.p, a.v - b.v, a.a - b.a};
+}
+
+MovingPoint operator*(const Moving& k, const MovingPoint& a) {
+  return {k.value * a.p, k.rate * a.p + k.value * a.v,
+          k.acceleration * a.p + 2.0 * k.rate * a.v + k.value * a.a};
+}
+
+Moving Dot(const MovingPoint& a, const MovingPoint& b) {
+  return {a.p.dot(b.p), a.v.dot(b.p) + a.p.dot(b.v),
+          a.a.dot(b.p) + 2.0 * a.v.dot(b.v) + a.p.dot(b.a)};
+}
+
+MovingPoint Cross(const MovingPoint& a, const MovingPoint& b) {
+  return {a.p.cross(b.p), a.v.cross(b.p) + a.p.cross(b.v),
+          a.a.cross(b.p) + 2.0 * a.v.cross(b.v) + a.p.cross(b.a)};
+}
+
+MovingPoint Unit(const MovingPoint& a) { return Inverse(Sqrt(Dot(a, a))) * a; }
+
 MovingPoint PointOn(const BodyMotion& body, const MovingPoint& r_B) {
   const Eigen::Matrix3d R_WB = body.turning.q_AB.toRotationMatrix();
   const Vector3d& omega = body.turning.omega_AB_B;

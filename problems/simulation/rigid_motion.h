@@ -32,6 +32,13 @@ struct MovingPoint {
 
 MovingPoint PointOf(const Moving& x, const Moving& y, const Moving& z);
 
+MovingPoint operator+(const MovingPoint& a, const MovingPoint& b);
+MovingPoint operator-(const MovingPoint& a, const MovingPoint& b);
+MovingPoint operator*(const Moving& k, const MovingPoint& a);
+Moving Dot(const MovingPoint& a, const MovingPoint& b);
+MovingPoint Cross(const MovingPoint& a, const MovingPoint& b);
+MovingPoint Unit(const MovingPoint& a);  // a is not zero
+
 // A rigid segment B in the world: how it turns, and its proximal joint in world axes.
 struct BodyMotion {
   TurningFrame turning;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "problems/rotation.h"
 #include "problems/simulation/mirror.h"
 #include "problems/simulation/record.h"
 
@@ -12,26 +13,61 @@ namespace {
 
 using Eigen::Quaterniond, Eigen::Vector3d;
 
-// Segments and the told part of the arm; the elbow and the shoulder keep their anatomical defaults.
+std::vector<Segment> Worn(const Scenario& scenario, const SimulationOptions& options) {
+  return options.worn.empty() ? scenario.worn : options.worn;
+}
+
+// A segment as a tape finds it.
+SegmentGeometry ToldGeometry(const Scenario& scenario, const SimulationOptions& options,
+                             Segment segment) {
+  Draws draws = ErrorStream(scenario, options, "length", segment);
+  const Vector3d distal = scenario.shape.DistalJoint(segment);
+  const double error = options.length_error;
+  SegmentGeometry told;
+  if (segment == Segment::kGirdle)
+    told.p_distal_B =
+        distal + (options.draw_sizes ? Vector3d(error * draws.Normal3()) : draws.OfLength(error));
+  else
+    told.p_distal_B = {
+        0.0, distal.y() - (options.draw_sizes ? draws.Normal() : draws.Sign()) * error, 0.0};
+  if (options.draw_sizes && error > 0.0) told.sigma = error;
+  return told;
+}
+
+// The elbow and the shoulder keep their anatomical defaults where nothing is told of them.
 ArmModel ToldArm(const Scenario& scenario, const SimulationOptions& options) {
+  const ScenarioOptions& movement = scenario.options;
   ArmModel arm;
-  for (const auto& [segment, length] : scenario.length) {
-    const double sign = ErrorStream(scenario, options, "length", segment).Sign();
-    arm.segments[segment].p_distal_B = {0.0, -(length + sign * options.length_error), 0.0};
+  for (const Segment segment : Worn(scenario, options))
+    arm.segments[segment] = ToldGeometry(scenario, options, segment);
+  if (options.tell_carrying_angle) arm.elbow.carrying_angle = scenario.shape.carrying_angle;
+  if (movement.carrying_angle_sd > 0.0) {
+    arm.elbow.carrying_angle = movement.carrying_angle;
+    arm.elbow.carrying_angle_sigma = movement.carrying_angle_sd;
   }
-  if (options.tell_carrying_angle) arm.elbow.carrying_angle = scenario.options.carrying_angle;
+  if (movement.carrying_slope_sd > 0.0) arm.elbow.carrying_slope_sigma = movement.carrying_slope_sd;
+  if (options.draw_sizes && scenario.shoulder.sigma > 0.0) arm.shoulder = scenario.shoulder;
+  if (scenario.rig) {
+    arm.elbow = {.carrying_angle = 0.0,
+                 .carrying_angle_sigma = 1 * kDegree,
+                 .carrying_slope_sigma = 0.5 * kDegree};
+    arm.shoulder.sigma = 1e-3;
+  }
   return arm;
 }
 
 StartPose ToldStartPose(const Scenario& scenario, const SimulationOptions& options) {
   Draws draws = ErrorStream(scenario, options, "start_pose", Segment::kUpperArm);
   const auto told = [&](double angle) { return angle + options.start_pose_error * draws.Normal(); };
-  const JointValues pose = StartPoseJoints();
+  const JointValues& pose = scenario.start;
+  const double flexed = pose[kShoulderFlexion], abducted = pose[kShoulderAbduction];
   StartPose start;
   start.time = 0.5 * kRestAtStart;
   start.elbow_flexion = told(pose[kElbowFlexion]);
   start.forearm_pronation = told(pose[kForearmPronation]);
-  start.shoulder_elevation = std::abs(told(pose[kShoulderAbduction]));
+  start.shoulder_elevation =
+      std::abs(told(flexed == 0.0 ? abducted : std::acos(std::cos(flexed) * std::cos(abducted))));
+  if (options.draw_sizes && options.start_pose_error > 0.0) start.sigma = options.start_pose_error;
   return start;
 }
 
@@ -42,18 +78,33 @@ std::vector<Interval> Rests(const Scenario& scenario) {
   return {{"rest", 0.0, kRestAtStart - kMargin}, {"rest", end - kRestAtEnd + kMargin, end}};
 }
 
-Reference MakeReference(const Scenario& scenario, const std::vector<double>& time) {
+// Joints and attitudes as markers of that noise show them.
+void AddMarkerNoise(double noise, Draws draws, Reference& reference) {
+  const double turn = std::sqrt(2.0) * noise / kMarkerDistance;
+  for (auto& [segment, q_VB] : reference.q_VB)
+    for (Quaterniond& q : q_VB) q = (q * Exp<double>(turn * draws.Normal3())).normalized();
+  for (auto& [joint, p_V] : reference.p_V)
+    for (Vector3d& p : p_V) p += noise * draws.Normal3();
+}
+
+Reference MakeReference(const Scenario& scenario, const SimulationOptions& options,
+                        const std::vector<double>& time) {
+  const std::vector<Segment> worn = Worn(scenario, options);
+  const bool hand = std::find(worn.begin(), worn.end(), Segment::kHand) != worn.end();
   Reference reference;
   reference.time = time;
   reference.clock_offset = 0.0;
   for (const double t : time) {
     const ArmMotion arm = scenario.At(t);
-    reference.q_VB[Segment::kUpperArm].push_back(arm.upper_arm.turning.q_AB);
-    reference.q_VB[Segment::kForearm].push_back(arm.forearm.turning.q_AB);
+    for (const Segment segment : worn) reference.q_VB[segment].push_back(arm[segment].turning.q_AB);
     reference.p_V["shoulder"].push_back(arm.upper_arm.joint_W.p);
     reference.p_V["elbow"].push_back(arm.forearm.joint_W.p);
     reference.p_V["wrist"].push_back(arm.wrist_W.p);
+    if (hand) reference.p_V["hand"].push_back(arm.fingertip_W.p);
   }
+  if (options.reference_noise > 0.0)
+    AddMarkerNoise(options.reference_noise,
+                   ErrorStream(scenario, options, "reference", worn.front()), reference);
   return reference;
 }
 
@@ -76,6 +127,14 @@ void AddSensorTruth(const SensorTruth& sensor, std::vector<TrueValue>& truth) {
   truth.push_back({name + ".accelerometer_bias", List(sensor.accel_bias)});
   truth.push_back({name + ".gyro_gain", List(sensor.gyro_gain)});
   truth.push_back({name + ".accelerometer_gain", List(sensor.accel_gain)});
+  if (sensor.told) {
+    const Vector3d off = Log<double>(q_BS.conjugate() * sensor.told->q_BS);
+    truth.push_back({name + ".told_q_BS_error_deg", List(Vector3d(off / kDegree))});
+    truth.push_back({name + ".told_p_BS_error_m",
+                     List(Vector3d(sensor.told->p_BS_B - sensor.worn.mounting.p_BS_B))});
+  }
+  truth.push_back({name + ".rate_hz", {sensor.rate}});
+  truth.push_back({name + ".stamp_rms_s", {sensor.stamp_rms}});
   truth.push_back({name + ".clock_offset_s", {sensor.clock_offset}});
   truth.push_back({name + ".soft_tissue_rms_deg", List(Vector3d(sensor.wobble_rms / kDegree))});
   truth.push_back({name + ".lost_samples", {static_cast<double>(sensor.lost)}});
@@ -93,17 +152,25 @@ double Rms(const Motion& motion, const std::vector<double>& time) {
   return std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
 }
 
-void AddArmTruth(const Scenario& scenario, const std::vector<double>& time,
-                 std::vector<TrueValue>& truth) {
-  const ScenarioOptions& options = scenario.options;
-  for (const auto& [segment, length] : scenario.length)
-    truth.push_back({std::string(Name(segment)) + ".length_m", {length}});
+void AddArmTruth(const Scenario& scenario, const SimulationOptions& options,
+                 const std::vector<double>& time, bool left, std::vector<TrueValue>& truth) {
+  const ArmShape& shape = scenario.shape;
+  for (const Segment segment : Worn(scenario, options)) {
+    const Vector3d distal = shape.DistalJoint(segment);
+    const std::string name(Name(segment));
+    if (segment == Segment::kGirdle)
+      truth.push_back({name + ".distal_joint_m", List(left ? MirroredPolar(distal) : distal)});
+    else
+      truth.push_back({name + ".length_m", {-distal.y()}});
+  }
   const auto rms = [&](Joint joint) { return Rms(scenario.joints[joint], time); };
-  truth.push_back({"elbow.carrying_angle_deg", {options.carrying_angle / kDegree}});
-  truth.push_back({"elbow.carrying_slope_deg", {options.carrying_slope / kDegree}});
+  truth.push_back({"elbow.carrying_angle_deg", {shape.carrying_angle / kDegree}});
+  truth.push_back({"elbow.carrying_slope_deg", {shape.carrying_slope / kDegree}});
   truth.push_back({"elbow.adduction_rms_deg", {rms(kElbowAdduction) / kDegree}});
   truth.push_back(
       {"shoulder.rms_m", {rms(kShoulderForward), rms(kShoulderUp), rms(kShoulderRight)}});
+  const double heading = scenario.trunk_heading / kDegree;
+  truth.push_back({"trunk.heading_deg", {left ? -heading : heading}});
 }
 
 }  // namespace
@@ -121,7 +188,9 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
 
   SimulatedTrial simulated;
   Trial& trial = simulated.trial;
-  trial.name = scenario.options.name + "-" + std::string(Name(scenario.options.side)) + "-" +
+  const int week = scenario.options.patient_week;
+  trial.name = scenario.options.name + (week > 0 ? "-week" + std::to_string(week) : "") + "-" +
+               std::string(Name(scenario.options.side)) + "-" +
                std::to_string(scenario.options.seed);
   trial.observations.arm = ToldArm(right, options);
   if (options.tell_start_pose) trial.observations.start_pose = ToldStartPose(right, options);
@@ -129,17 +198,18 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
   if (options.tell_rests)
     for (const Interval& rest : Rests(right)) trial.observations.intervals.push_back(rest);
   std::vector<SensorTruth> sensors;
-  for (const auto& [segment, length] : right.length) {
-    sensors.push_back(DrawSensor(right, options, segment));
+  for (const Segment segment : Worn(right, options)) {
+    sensors.push_back(DrawSensor(right, options, segment, sensors.empty()));
     trial.observations.recordings.push_back(Record(right, options, sensors.back()));
   }
   const std::vector<double> time = trial.observations.recordings.front().time;
-  trial.reference = MakeReference(right, time);
+  trial.reference = MakeReference(right, options, time);
 
   if (left) trial = Mirrored(trial);
-  AddArmTruth(right, time, simulated.truth);
+  AddArmTruth(right, options, time, left, simulated.truth);
   for (const SensorTruth& sensor : sensors)
     AddSensorTruth(left ? Mirrored(sensor) : sensor, simulated.truth);
+  simulated.truth.insert(simulated.truth.end(), scenario.facts.begin(), scenario.facts.end());
   return simulated;
 }
 

@@ -10,14 +10,9 @@
 
 namespace brachium {
 
-// A number, or a few, that an estimator may be asked for. The name says the unit (SI without).
-struct TrueValue {
-  std::string name;
-  std::vector<double> value;
-};
-
 // The trial's reference holds the segments' (bones') true attitudes, not the sensors', and the
-// joints "shoulder", "elbow" and "wrist", at the first recording's sample times.
+// joints "shoulder", "elbow", "wrist" and, where a hand is worn, the fingertip as "hand", at the
+// first recording's sample times.
 struct SimulatedTrial {
   Trial trial;
   std::vector<TrueValue> truth;

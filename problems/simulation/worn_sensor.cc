@@ -4,35 +4,50 @@
 
 namespace brachium {
 
+namespace {
+
 using Eigen::Matrix3d, Eigen::Quaterniond, Eigen::Vector3d;
 
-Mounting DrawMounting(Segment segment, double length, Draws& draws) {
-  const bool forearm = segment == Segment::kForearm;
-  Matrix3d R_BS;  // sensor x distal, z out of the skin
+// Out of the skin where the sensor sits.
+Vector3d Outward(Segment segment) {
+  return segment == Segment::kUpperArm ? Vector3d(Vector3d::UnitZ()) : Vector3d(-Vector3d::UnitX());
+}
+
+Vector3d Seat(Segment segment, const Vector3d& distal) {
+  if (segment == Segment::kGirdle) return {-0.06, -0.05, 0.10};
+  if (segment == Segment::kUpperArm) return {0.0, 0.8 * distal.y(), 0.045};
+  if (segment == Segment::kForearm) return {-0.03, 0.85 * distal.y(), 0.0};
+  return {-0.02, 0.35 * distal.y(), 0.0};
+}
+
+}  // namespace
+
+Mounting DrawMounting(Segment segment, const Vector3d& distal, Draws& draws) {
+  Matrix3d R_BS;  // sensor x distal (the girdle's down), z out of the skin
   R_BS.col(0) = -Vector3d::UnitY();
-  R_BS.col(2) = forearm ? Vector3d(-Vector3d::UnitX()) : Vector3d(Vector3d::UnitZ());
+  R_BS.col(2) = Outward(segment);
   R_BS.col(1) = R_BS.col(2).cross(R_BS.col(0));
   const Vector3d askew = draws.OfLength(draws.Uniform(5.0, 20.0) * kDegree);
   Mounting mounting;
   mounting.q_BS = (Quaterniond(R_BS) * Exp<double>(askew)).normalized();
-  mounting.p_BS_B =
-      forearm ? Vector3d(-0.03, -0.85 * length, 0.0) : Vector3d(0.0, -0.8 * length, 0.045);
+  mounting.p_BS_B = Seat(segment, distal);
   return mounting;
 }
 
-Wobble DrawWobble(const SoftTissue& soft_tissue, double duration, Draws& draws) {
+Wobble DrawWobble(const SoftTissue& soft_tissue, Segment segment, double duration, Draws& draws) {
   constexpr double kOnset = 1.0;  // [s]
   Wobble wobble;
-  const std::array turn_rms = {soft_tissue.across_rms, soft_tissue.along_rms,
-                               soft_tissue.across_rms};
+  const bool softest = segment == Segment::kUpperArm && soft_tissue.upper_arm_along_rms > 0.0;
+  const double along_rms = softest ? soft_tissue.upper_arm_along_rms : soft_tissue.along_rms;
+  const std::array turn_rms = {soft_tissue.across_rms, along_rms, soft_tissue.across_rms};
   for (std::size_t i = 0; i < 3; ++i) {
     wobble.turn[i] = RandomMotion(turn_rms[i], soft_tissue.frequency, draws);
     wobble.shift[i] = RandomMotion(soft_tissue.translation_rms, soft_tissue.frequency, draws);
   }
   wobble.envelope.AddStep(kRestAtStart, kOnset, 1.0);
   wobble.envelope.AddStep(duration - kRestAtEnd - kOnset, kOnset, -1.0);
-  wobble.present = soft_tissue.along_rms > 0.0 || soft_tissue.across_rms > 0.0 ||
-                   soft_tissue.translation_rms > 0.0;
+  wobble.present =
+      along_rms > 0.0 || soft_tissue.across_rms > 0.0 || soft_tissue.translation_rms > 0.0;
   return wobble;
 }
 

@@ -10,9 +10,10 @@
 namespace brachium {
 
 // Where a sensor sits when nobody is precise, on the right arm: the upper arm's laterally near the
-// elbow, the forearm's dorsally near the wrist (as Luinge wears them), turned up to 20 deg from the
-// segment's axes' nearest directions at random.
-Mounting DrawMounting(Segment segment, double length, Draws& draws);
+// elbow, the forearm's dorsally near the wrist (as Luinge wears them), the girdle's on the shoulder
+// blade, the hand's on its back (as Bai wears them), turned up to 20 deg from the segment's axes'
+// nearest directions at random. `distal` is the segment's distal joint.
+Mounting DrawMounting(Segment segment, const Eigen::Vector3d& distal, Draws& draws);
 
 // How the sensor moves on its segment: turning R_BB' = Ry Rx Rz [rad] and shift [m], segment axes.
 struct Wobble {
@@ -22,7 +23,7 @@ struct Wobble {
   bool present = false;
 };
 
-Wobble DrawWobble(const SoftTissue& soft_tissue, double duration, Draws& draws);
+Wobble DrawWobble(const SoftTissue& soft_tissue, Segment segment, double duration, Draws& draws);
 
 // The wobble's turning at one instant.
 TurningFrame TurnOf(const Wobble& wobble, double t);

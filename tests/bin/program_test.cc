@@ -56,6 +56,29 @@ TEST_F(Program, ASimulatedTrialSaysSoAndHoldsItsTruth) {
   EXPECT_FALSE(truth["truth"].empty());
 }
 
+TEST_F(Program, FourSensorsOfTheirOwnRatesAreSimulatedWithTheSigmasOfTheirErrors) {
+  const std::string trial = Path("pegs");
+  const Outcome outcome =
+      Run({"simulate", "--scenario=nine_hole_peg_test", "--side=left", "--rate_hz=100,60,120,25",
+           "--draw_errors", "--lever_arm_error_m=0.012", "--mounting_error_deg=3",
+           "--length_error_m=0.007", "--gyro_bias_deg_s=0.4", "--output=" + trial});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json description = ReadJson(trial + "/trial.json");
+  ASSERT_EQ(description["recordings"].size(), 4u);
+  for (const json& recording : description["recordings"]) {
+    EXPECT_NEAR(recording["mounting"]["q_sigma_deg"].get<double>(), 3.0, 1e-9);
+    EXPECT_EQ(recording["mounting"]["p_sigma_m"], 0.012);
+    EXPECT_NEAR(recording["noise"]["gyro_bias_sigma_deg_s"].get<double>(), 0.4, 1e-9);
+  }
+  EXPECT_EQ(description["arm"]["segments"]["hand"]["length_sigma_m"], 0.007);
+  const json truth = ReadJson(trial + "/truth.json")["truth"];
+  EXPECT_EQ(truth["hand.rate_hz"], 25.0);
+  EXPECT_EQ(truth["peg_9.position_m"].size(), 3u);
+  const Outcome inspected = Run({"inspect", "--trial=" + trial});
+  EXPECT_EQ(inspected.exit_code, 0) << inspected.err;
+  EXPECT_THAT(inspected.out, AllOf(HasSubstr("girdle"), HasSubstr("hand")));
+}
+
 TEST_F(Program, RunFlagsRepeatTheRunByteForByteButForItsTiming) {
   const std::string trial = Simulate();
   const std::string first = Path("first"), second = Path("second");

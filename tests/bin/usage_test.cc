@@ -115,6 +115,28 @@ TEST_F(Usage, ValuesMayStandAloneAndTruthsNeedNone) {
   EXPECT_THAT(trial, AllOf(HasSubstr("\"rest\""), Not(HasSubstr("start_pose"))));
 }
 
+TEST_F(Usage, SimulateListsItsScenariosAndRefusesWhatTheyAreNot) {
+  const std::string help = Run({"simulate", "--help"}).out;
+  for (const char* name : {"daily_brisk", "eating", "circle", "nine_hole_peg_test"})
+    EXPECT_THAT(help, HasSubstr("\n  " + std::string(name) + "\n")) << name;
+  const auto refusal = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> words = {"simulate", "--output=" + Path("trial")};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const Outcome outcome = Run(words);
+    EXPECT_EQ(outcome.exit_code, 1);
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal({"--scenario=circles"}), HasSubstr("did you mean 'circle'?"));
+  EXPECT_THAT(refusal({"--scenario=eating", "--duration_s=60"}), HasSubstr("takes 97 s or more"));
+  EXPECT_THAT(refusal({"--scenario=eating", "--patient_week=3"}), HasSubstr("by a patient"));
+  EXPECT_THAT(refusal({"--scenario=range_of_motion", "--patient_week=11"}), HasSubstr("1 to 10"));
+  EXPECT_THAT(refusal({"--scenario=circle", "--sensors=3"}), HasSubstr("2 or 4 was expected"));
+  EXPECT_THAT(refusal({"--scenario=circle", "--rate_hz=100,60,25"}),
+              HasSubstr("one for each of 2"));
+  EXPECT_THAT(refusal({"--scenario=circle", "--rate_hz=fast"}), HasSubstr("numbers were expected"));
+  EXPECT_THAT(refusal({"--scenario=circle", "--shoulder_rms_m=2"}), HasSubstr("out of the arm's"));
+}
+
 TEST_F(Usage, MistakesInAFlagFileNameItsLine) {
   Write("run.flags", "# a comment\n\n  --trial=here\n--trail=there\n");
   const Outcome outcome = Run({"inspect", "--flagfile=" + Path("run.flags")});

@@ -37,6 +37,31 @@ TEST(SmoothStep, HasTheDerivativesItClaims) {
   for (double u = -0.1; u < 1.1; u += 0.013) ExpectDerivativesAreExact(SmoothStep, u, 1e-6);
 }
 
+// The values of Flash & Hogan 1985: half-way in the middle, with 15/8 of the mean speed.
+TEST(MinimumJerkStep, GoesFromZeroToOneWithItsPeakInTheMiddle) {
+  EXPECT_EQ(MinimumJerkStep(-0.1).value, 0.0);
+  EXPECT_EQ(MinimumJerkStep(1.0).value, 1.0);
+  EXPECT_EQ(MinimumJerkStep(1.1).rate, 0.0);
+  EXPECT_DOUBLE_EQ(MinimumJerkStep(0.5).value, 0.5);
+  EXPECT_DOUBLE_EQ(MinimumJerkStep(0.5).rate, 1.875);
+  for (double u = 0.0133; u < 1.0; u += 0.013) ExpectDerivativesAreExact(MinimumJerkStep, u, 1e-6);
+}
+
+TEST(Moving, FunctionsFollowTheChainRule) {
+  const auto a = [](double t) {
+    return Moving{0.7 * std::sin(3 * t), 2.1 * std::cos(3 * t), -6.3 * std::sin(3 * t)};
+  };
+  const auto b = [](double t) { return Moving{1.0 + t * t, 2 * t, 2.0}; };
+  for (double t = -1.0; t < 1.0; t += 0.1) {
+    ExpectDerivativesAreExact([&](double x) { return Sin(a(x)); }, t, 1e-7);
+    ExpectDerivativesAreExact([&](double x) { return Asin(a(x)); }, t, 1e-6);
+    ExpectDerivativesAreExact([&](double x) { return Atan2(a(x), b(x)); }, t, 1e-7);
+    ExpectDerivativesAreExact([&](double x) { return Sqrt(b(x)); }, t, 1e-7);
+    ExpectDerivativesAreExact([&](double x) { return Inverse(b(x)); }, t, 1e-7);
+  }
+  EXPECT_DOUBLE_EQ(Atan2({1.0, 0, 0}, {-1.0, 0, 0}).value, 0.75 * M_PI);
+}
+
 TEST(Moving, ProductsAndCosineFollowTheChainRule) {
   const auto a = [](double t) {
     return Moving{std::sin(3 * t), 3 * std::cos(3 * t), -9 * std::sin(3 * t)};

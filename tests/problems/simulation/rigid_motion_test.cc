@@ -53,5 +53,23 @@ TEST(MovingPoint, HasTheVelocityAndAccelerationOfItsPositionWhenItMovesOnATurnin
   }
 }
 
+TEST(MovingPoint, SumsAndProductsHaveTheirDerivatives) {
+  const auto a = [](double t) {
+    return PointOf(Swing(0.3, 0.7, t), Swing(-0.2, 1.1, t), Swing(0.1, 0.2, t));
+  };
+  const auto b = [](double t) {
+    return PointOf(Swing(0.5, 0.4, t), Swing(0.3, 0.9, t), Swing(-0.6, 0.3, t));
+  };
+  const auto made = [&](double t) {
+    return Unit(Cross(a(t), b(t)) + Dot(a(t), b(t)) * (a(t) - b(t)));
+  };
+  for (double t = 0.0; t < 3.0; t += 0.1) {
+    const MovingPoint before = made(t - kStep), here = made(t), after = made(t + kStep);
+    EXPECT_NEAR(here.p.norm(), 1.0, 1e-14);
+    EXPECT_LT((here.v - (after.p - before.p) / (2 * kStep)).norm(), 1e-6) << "at " << t;
+    EXPECT_LT((here.a - (after.v - before.v) / (2 * kStep)).norm(), 1e-6) << "at " << t;
+  }
+}
+
 }  // namespace
 }  // namespace brachium

@@ -6,6 +6,7 @@
 
 #include "problems/rotation.h"
 #include "problems/simulation/mirror.h"
+#include "tests/support/scenarios.h"
 
 namespace brachium {
 namespace {
@@ -17,8 +18,8 @@ constexpr Side kSides[] = {Side::kRight, Side::kLeft};
 WornSensor Wear(const Scenario& scenario, Segment segment, const SoftTissue& soft_tissue) {
   Draws draws(9, "worn_sensor_test");
   WornSensor sensor{.segment = segment,
-                    .mounting = DrawMounting(segment, scenario.length.at(segment), draws),
-                    .wobble = DrawWobble(soft_tissue, scenario.options.duration, draws)};
+                    .mounting = DrawMounting(segment, scenario.shape.DistalJoint(segment), draws),
+                    .wobble = DrawWobble(soft_tissue, segment, scenario.options.duration, draws)};
   if (scenario.options.side == Side::kLeft) sensor.mounting = Mirrored(sensor.mounting);
   return sensor;
 }
@@ -92,6 +93,25 @@ TEST(WornSensor, LeadsBackToItsPoseByIntegrationOverAMinute) {
     }
 }
 
+// The girdle and the hand too, through paths in space, tremor, strokes and a trunk that leans.
+TEST(WornSensor, LeadsBackToItsPoseByIntegrationInEveryFamilyOfMovements) {
+  const std::pair<const char*, int> families[] = {{"eating", 0},
+                                                  {"circle", 0},
+                                                  {"goniometer_swing", 0},
+                                                  {"nine_hole_peg_test", 1},
+                                                  {"range_of_motion", 4}};
+  for (const auto& [name, week] : families) {
+    ScenarioOptions options = MakeUsual(name, Side::kLeft, 4, week).options;
+    options.duration = std::max(options.duration, 65.0);
+    const Scenario scenario = MakeScenario(options);
+    for (const Segment segment : {Segment::kGirdle, Segment::kHand}) {
+      const auto [attitude, position] = DeadReckon(scenario, Wear(scenario, segment, {}));
+      EXPECT_LT(attitude, 1e-6) << name << ' ' << Name(segment);
+      EXPECT_LT(position, 1e-6) << name << ' ' << Name(segment);
+    }
+  }
+}
+
 TEST(WornSensor, FeelsItsWobbleSoThatIntegrationLeadsBackToItsWobblingPose) {
   const Scenario scenario = MakeScenario({.name = "reach", .side = Side::kLeft});
   const auto [attitude, position] =
@@ -136,7 +156,7 @@ TEST(WornSensor, MeasuresGravityUpwardAtRest) {
 
 TEST(Wobble, HasTheRmsAskedForBetweenTheRestsAndNoneInThem) {
   Draws draws(2, "wobble");
-  const Wobble wobble = DrawWobble(TypicalSoftTissue(), 600.0, draws);
+  const Wobble wobble = DrawWobble(TypicalSoftTissue(), Segment::kForearm, 600.0, draws);
   Vector3d turn = Vector3d::Zero(), shift = Vector3d::Zero();
   int count = 0;
   for (double t = 5.0; t < 595.0; t += 0.05, ++count) {
