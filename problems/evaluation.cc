@@ -1,6 +1,7 @@
 #include "problems/evaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "problems/rotation.h"
@@ -172,6 +173,18 @@ Map Common(const Map& map, const Map& other) {
   return common;
 }
 
+// Without heights where the reference knows none, so that both are looked at in the plane.
+void LeaveOutUnknownHeights(std::map<std::string, std::vector<Vector3d>>* reference,
+                            std::map<std::string, std::vector<Vector3d>>* estimate) {
+  for (auto& [name, points] : *reference) {
+    if (std::any_of(points.begin(), points.end(),
+                    [](const Vector3d& p) { return std::isfinite(p.z()); }))
+      continue;
+    for (Vector3d& p : points) p.z() = 0.0;
+    for (Vector3d& p : estimate->at(name)) p.z() = 0.0;
+  }
+}
+
 void EvaluateOutcomes(const Estimate& estimate, const Reference& reference,
                       Evaluation* evaluation) {
   std::map<Segment, std::vector<Quaterniond>> q_WB, q_VB;
@@ -179,10 +192,10 @@ void EvaluateOutcomes(const Estimate& estimate, const Reference& reference,
     q_WB = Common(estimate.q_WB, reference.q_VB);
     q_VB = Common(reference.q_VB, estimate.q_WB);
   }
-  evaluation->outcomes =
-      OutcomesOf(estimate.side, estimate.time, q_WB, Common(estimate.p_W, reference.p_V));
-  evaluation->reference_outcomes =
-      OutcomesOf(estimate.side, evaluation->time, q_VB, Common(reference.p_V, estimate.p_W));
+  auto p_W = Common(estimate.p_W, reference.p_V), p_V = Common(reference.p_V, estimate.p_W);
+  LeaveOutUnknownHeights(&p_V, &p_W);
+  evaluation->outcomes = OutcomesOf(estimate.side, estimate.time, q_WB, p_W);
+  evaluation->reference_outcomes = OutcomesOf(estimate.side, evaluation->time, q_VB, p_V);
 }
 
 }  // namespace

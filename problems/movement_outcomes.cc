@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "problems/arm_model.h"
@@ -51,17 +52,20 @@ std::vector<Value> Smoothed(const std::vector<Value>& series, double step, const
   const double sd = kGaussian / kCutoff / step;  // [samples]
   const auto reach = static_cast<std::ptrdiff_t>(std::ceil(4.0 * sd));
   const auto n = static_cast<std::ptrdiff_t>(series.size());
+  std::vector<double> weights;  // by distance
+  for (std::ptrdiff_t j = 0; j <= reach; ++j)
+    weights.push_back(std::exp(-0.5 * std::pow(static_cast<double>(j) / sd, 2)));
   std::vector<Value> smooth = series;
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     Value sum = zero;
-    double weights = 0.0;
+    double total = 0.0;
     const std::ptrdiff_t half = std::min({reach, i, n - 1 - i});
     for (std::ptrdiff_t j = i - half; j <= i + half; ++j) {
-      const double weight = std::exp(-0.5 * std::pow(static_cast<double>(j - i) / sd, 2));
+      const double weight = weights[static_cast<std::size_t>(std::abs(j - i))];
       sum += weight * series[static_cast<std::size_t>(j)];
-      weights += weight;
+      total += weight;
     }
-    smooth[static_cast<std::size_t>(i)] = sum / weights;
+    smooth[static_cast<std::size_t>(i)] = sum / total;
   }
   return smooth;
 }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kPadLevel = 4;
+constexpr std::size_t kMostPadded = std::size_t{1} << 17;
 constexpr double kHighest = 10.0;    // [Hz]
 constexpr double kThreshold = 0.05;  // of the greatest amplitude
 
@@ -49,7 +50,8 @@ double Valley(const std::vector<double>& speed, std::size_t peak, int step) {
 
 double SpectralArcLength(const std::vector<double>& speed, double rate_hz) {
   if (speed.size() < 2 || !Moves(speed)) return kNaN;
-  const std::size_t padded = std::bit_ceil(speed.size()) << kPadLevel;
+  const std::size_t least = std::bit_ceil(speed.size());
+  const std::size_t padded = std::max(least, std::min(least << kPadLevel, kMostPadded));
   const double step = rate_hz / static_cast<double>(padded);
   const auto kept = static_cast<std::size_t>(std::floor(kHighest / step)) + 1;
   const std::vector<double> amplitude = Amplitudes(speed, padded, kept);

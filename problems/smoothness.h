@@ -5,10 +5,11 @@
 
 namespace brachium {
 
-// Spectral arc length: minus the length of the curve of the amplitude spectrum, divided by its value
-// at 0, over the frequency divided by the greatest one kept, up to 10 Hz and there to the last
-// amplitude of 0.05; the series is padded to 2^4 times the next power of two. Closer to zero is
-// smoother. NaN below two samples, without movement, and with a NaN.
+// Spectral arc length: minus the length of the curve of the amplitude spectrum, over its greatest
+// value, over the frequency divided by the greatest one kept, up to 10 Hz and there to the last
+// amplitude of 0.05; the series is padded to 2^4 times the next power of two
+// (to 2^17 samples if that is less: what lasts longer is not one movement). Closer to zero is smoother.
+// NaN below two samples, without movement, and with a NaN.
 // Source: Balasubramanian, Melendez-Calderon & Burdet, IEEE T-BME 59 (2012); J. NeuroEng. Rehabil. 12
 // (2015).
 double SpectralArcLength(const std::vector<double>& speed, double rate_hz);

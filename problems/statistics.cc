@@ -7,6 +7,16 @@
 namespace brachium {
 namespace {
 
+// Requires a value and no NaN; reorders the values.
+double KnownQuantile(std::vector<double>* values, double part) {
+  const double place = part * static_cast<double>(values->size() - 1);
+  const auto below = values->begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values->begin(), below, values->end());
+  if (below + 1 == values->end()) return *below;
+  const double above = *std::min_element(below + 1, values->end());
+  return *below + (place - std::floor(place)) * (above - *below);
+}
+
 // Rounding alone gives a constant of size `level` this much variance.
 double NegligibleVariance(double level) { return 1e-24 * (1.0 + level * level); }
 
@@ -14,13 +24,7 @@ double NegligibleVariance(double level) { return 1e-24 * (1.0 + level * level); 
 
 double Quantile(std::vector<double> values, double part) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return Statistics::kUnknown;
-  const double place = part * static_cast<double>(values.size() - 1);
-  const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(values.begin(), below, values.end());
-  if (below + 1 == values.end()) return *below;
-  const double above = *std::min_element(below + 1, values.end());
-  return *below + (place - std::floor(place)) * (above - *below);
+  return values.empty() ? Statistics::kUnknown : KnownQuantile(&values, part);
 }
 
 Statistics StatisticsOf(const Series& error) {
@@ -46,8 +50,8 @@ Statistics StatisticsOf(const Series& error) {
   statistics.bias = error.rows() == 1 ? mean(0) : mean.norm();
   statistics.sd = std::sqrt(spread / n);
   statistics.rmse = std::sqrt(square / n);
-  statistics.median = Quantile(magnitude, 0.5);
-  statistics.p95 = Quantile(magnitude, 0.95);
+  statistics.median = KnownQuantile(&magnitude, 0.5);
+  statistics.p95 = KnownQuantile(&magnitude, 0.95);
   statistics.max = *std::max_element(magnitude.begin(), magnitude.end());
   return statistics;
 }
