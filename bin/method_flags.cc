@@ -3,7 +3,6 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 
 #include "bin/lists.h"
@@ -36,11 +35,18 @@ std::vector<std::string> MethodsFrom(const std::string& flag, const std::string&
   return methods;
 }
 
+MethodFlags::MethodFlags(const std::string& flag, const std::vector<std::string>& methods) {
+  for (const std::string& method : methods) options_.push_back(OptionsOf(flag, method));
+  VisitAll(
+      [&](const char* name, const auto& field, const char*) { defaults_.emplace(name, field); });
+}
+
 void MethodFlags::Share() {
   std::map<std::string, FlagValue> values;
   VisitAll([&](const char* name, const auto& field, const char*) { values.emplace(name, field); });
   VisitAll([&](const char* name, auto& field, const char*) {
-    field = std::get<std::decay_t<decltype(field)>>(values.at(name));
+    const FlagValue& value = values.at(name);
+    if (value != defaults_.at(name)) field = std::get<std::decay_t<decltype(field)>>(value);
   });
   for (const MethodOptions& method : options_)
     std::visit([](const auto& options) { RequireValid(options); }, method);

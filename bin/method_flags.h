@@ -1,6 +1,7 @@
 // Options of several methods behind one set of flags.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <variant>
@@ -23,9 +24,8 @@ std::vector<std::string> MethodsFrom(const std::string& flag, const std::string&
 // every solve has one.
 class MethodFlags {
  public:
-  MethodFlags(const std::string& flag, const std::vector<std::string>& methods) {
-    for (const std::string& method : methods) options_.push_back(OptionsOf(flag, method));
-  }
+  // Throws UsageError when --FLAG names a method that is not known.
+  MethodFlags(const std::string& flag, const std::vector<std::string>& methods);
 
   template <typename Visitor>
   static void Visit(MethodFlags& flags, Visitor&& visit) {
@@ -35,7 +35,7 @@ class MethodFlags {
     });
   }
 
-  // Gives what was read to all that have it. Throws UsageError when options contradict themselves.
+  // Gives what was read to all that have it; each keeps its own default otherwise. Throws UsageError when options contradict themselves.
   void Share();
 
   const std::vector<MethodOptions>& options() const { return options_; }
@@ -48,6 +48,7 @@ class MethodFlags {
   }
 
   std::vector<MethodOptions> options_;
+  std::map<std::string, FlagValue> defaults_;  // of the first method with that option
 };
 
 nlohmann::ordered_json ToJson(const MethodOptions& method);

@@ -145,7 +145,8 @@ void Draw(const Rule& rule, const Frame2d& frame, Svg* svg) {
   } else {
     const double y = frame.At(frame.x_range.low, rule.value).y, left = frame.corner.x;
     svg->Line({left, y}, {left + frame.width, y}, rule.stroke);
-    svg->Text({left + frame.width - 4.0, y - 4.0}, rule.label,
+    const bool room_above = y - frame.corner.y > kLegendLine;
+    svg->Text({left + frame.width - 4.0, room_above ? y - 4.0 : y + 13.0}, rule.label,
               {.anchor = TextStyle::Anchor::kEnd, .size = 11.0});
   }
 }
