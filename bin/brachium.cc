@@ -30,6 +30,7 @@ struct Command {
 constexpr std::array kCommands = {
     Command{"reconstruct", RunReconstruct, "estimates the arm's motion from a trial folder"},
     Command{"evaluate", RunEvaluate, "compares an estimate with the trial's reference"},
+    Command{"compare", RunCompare, "runs several methods on several trials, side by side"},
     Command{"calibrate", RunCalibrate,
             "finds how sensors sit on their segments from labelled movements"},
     Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},

@@ -14,6 +14,7 @@ inline constexpr int kNotToBeTrusted = 3;
 int RunReconstruct(CommandLine& line);
 int RunEvaluate(CommandLine& line);
 int RunCalibrate(CommandLine& line);
+int RunCompare(CommandLine& line);
 int RunInspect(CommandLine& line);
 int RunSimulate(CommandLine& line);
 

@@ -5,12 +5,11 @@
 #include "bin/commands.h"
 #include "bin/evaluation_text.h"
 #include "bin/help.h"
+#include "bin/judge.h"
 #include "bin/termination.h"
 #include "io/estimate_folder.h"
 #include "io/evaluation_file.h"
-#include "io/input_error.h"
 #include "io/trial_folder.h"
-#include "problems/evaluation.h"
 
 namespace brachium {
 namespace {
@@ -38,22 +37,6 @@ const CommandHelp kHelp = {
     "are compared after one constant heading and shift, which no inertial sensor can know. Prints "
     "tables and writes evaluation.json."};
 
-const Reference& RequireReference(const TrialFolder& folder, const std::string& trial) {
-  if (!folder.trial.reference)
-    throw InputError(trial + "/trial.json", 0,
-                     "has no \"reference\", so there is nothing to compare with; add an "
-                     "independent recording of the same movement, as "
-                     "\"reference\": {\"file\": \"reference.csv\", \"frames\": \"segment\"}");
-  return *folder.trial.reference;
-}
-
-void RequireCommonInstants(const Evaluation& evaluation, const std::string& trial) {
-  if (evaluation.used == 0)
-    throw InputError(trial + "/trial.json", 0,
-                     "the reference and the estimate have no instant, or no segment, in common; "
-                     "expected both of the same trial (see \"clock_offset_s\" and \"columns\")");
-}
-
 }  // namespace
 
 int RunEvaluate(CommandLine& line) {
@@ -68,8 +51,7 @@ int RunEvaluate(CommandLine& line) {
   const TrialFolder folder = ReadTrial(flags.trial);
   const Reference& reference = RequireReference(folder, flags.trial);
   const Estimate estimate = ReadEstimate(flags.estimate);
-  const Evaluation evaluation = Evaluate(estimate, reference);
-  RequireCommonInstants(evaluation, flags.trial);
+  const Evaluation evaluation = Judge(estimate, reference, flags.trial);
   {
     const WithoutInterruption writing;
     WriteEvaluation(output, evaluation, flags.overwrite);

@@ -5,13 +5,13 @@
 #include "bin/commands.h"
 #include "bin/estimate_text.h"
 #include "bin/help.h"
-#include "bin/options_json.h"
+#include "bin/method_flags.h"
 #include "bin/progress_line.h"
 #include "bin/run_facts.h"
+#include "bin/run_info.h"
 #include "bin/termination.h"
 #include "io/estimate_folder.h"
 #include "io/input_error.h"
-#include "io/text.h"
 #include "io/trial_folder.h"
 #include "solver/estimators.h"
 
@@ -40,32 +40,10 @@ const CommandHelp kHelp = {
     "--flagfile=DIR/run.flags does the same again. Exits with 3 when the result is not to be "
     "trusted: it is written nevertheless, and says so."};
 
-MethodOptions OptionsOf(const std::string& method) {
-  if (const auto options = DefaultOptions(method)) return *options;
-  const std::vector<std::string> names = MethodNames();
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  throw UsageError("--method=" + method + " is not known" + DidYouMean(method, known) +
-                   " (known: " + Listed(known) + ")");
-}
-
 void RequireAccepted(const Estimator& estimator, const Observations& observations,
                      const std::string& trial) {
   if (std::string why; !estimator.Accepts(observations, &why))
     throw InputError(trial + "/trial.json", 0, why);
-}
-
-RunInfo RunInfoOf(const TrialFolder& folder, const CommandLine& line, const MethodOptions& method,
-                  double reading_seconds) {
-  return {.trial = folder.trial.name,
-          .options = std::visit([](const auto& options) { return ToJson(options); }, method),
-          .flags = line.RunFlags({"output", "overwrite"}),
-          .findings = folder,
-          .recordings = folder.recordings,
-          .inputs = folder.inputs,
-          .versions = Versions(),
-          .stages = {{"reading", reading_seconds}},
-          .host = HostName(),
-          .command_line = line.text()};
 }
 
 Estimate RunWatched(const Estimator& estimator, const Observations& observations) {
@@ -87,7 +65,7 @@ int Verdict(const Diagnostics& diagnostics) {
 
 int RunReconstruct(CommandLine& line) {
   ReconstructFlags flags;
-  MethodOptions method = OptionsOf(line.Peek("method", flags.method));
+  MethodOptions method = OptionsOf("method", line.Peek("method", flags.method));
   line.Add("Flags", flags);
   std::visit([&](auto& options) { line.Add("Flags of the method", options); }, method);
   if (ShowHelp(line, kHelp)) return kGood;
@@ -99,7 +77,8 @@ int RunReconstruct(CommandLine& line) {
 
   const Stopwatch reading;
   const TrialFolder folder = ReadTrial(flags.trial);
-  const RunInfo run = RunInfoOf(folder, line, method, reading.Seconds());
+  const RunInfo run = RunInfoOf(folder, method, line.RunFlags({"output", "overwrite"}), line.text(),
+                                reading.Seconds());
   const auto estimator = MakeEstimator(method);
   RequireAccepted(*estimator, folder.trial.observations, flags.trial);
   const Estimate estimate = RunWatched(*estimator, folder.trial.observations);

@@ -2,8 +2,8 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-build_packages=(g++ cmake ninja-build libceres-dev libeigen3-dev libgflags-dev libgoogle-glog-dev
-  nlohmann-json3-dev libssl-dev)
+build_packages=(g++ cmake ninja-build libboost-dev libceres-dev libeigen3-dev libgflags-dev
+  libgoogle-glog-dev nlohmann-json3-dev libssl-dev)
 test_packages=("${build_packages[@]}" libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
   clang-format clang-tidy)
 

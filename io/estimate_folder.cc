@@ -41,6 +41,13 @@ void WriteEstimate(const std::string& folder, const Estimate& estimate, const Ru
   output.Commit();
 }
 
+bool HoldsEstimate(const std::string& folder, const std::string& method, const RunInfo& run) {
+  const std::string summary = (std::filesystem::path(folder) / "summary.json").string();
+  if (!std::filesystem::is_regular_file(summary)) return false;
+  const auto json = nlohmann::ordered_json::parse(FileBytes(summary).text(), nullptr, false);
+  return json.is_object() && TellsOfTheSame(json, method, run);
+}
+
 Estimate ReadEstimate(const std::string& folder) {
   if (!std::filesystem::is_directory(folder))
     throw InputError(folder, 0, "is not a folder; expected an estimate folder");
@@ -51,6 +58,10 @@ Estimate ReadEstimate(const std::string& folder) {
   Estimate estimate = ReadEstimateCsv((std::filesystem::path(folder) / "estimate.csv").string());
   estimate.method = root.At("method").Text();
   estimate.side = ParseSide(root.At("side"));
+  const JsonNode convergence = root.At("convergence");
+  estimate.diagnostics.converged = convergence.At("converged").Truth();
+  estimate.diagnostics.singular = convergence.At("singular").Truth();
+  estimate.diagnostics.termination = convergence.At("termination").Text();
   return estimate;
 }
 

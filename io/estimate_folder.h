@@ -17,7 +17,12 @@ FolderKind EstimateFolderKind();
 void WriteEstimate(const std::string& folder, const Estimate& estimate, const RunInfo& run,
                    bool overwrite);
 
-// The motion, the method and the side; diagnostics and timing stay empty. Throws InputError.
+// Whether a folder holds the estimate that this run would make: by the same method, options and
+// versions from the same inputs.
+bool HoldsEstimate(const std::string& folder, const std::string& method, const RunInfo& run);
+
+// The motion, the method, the side, and of the diagnostics whether it converged, is singular, and
+// why it ended. Throws InputError.
 Estimate ReadEstimate(const std::string& folder);
 
 }  // namespace brachium

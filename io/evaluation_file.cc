@@ -1,9 +1,11 @@
 #include "io/evaluation_file.h"
 
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/outcomes_json.h"
 #include "io/output_folder.h"
 #include "problems/arm_model.h"
 
@@ -19,6 +21,7 @@ struct Unit {
 };
 constexpr Unit kDegrees{"_deg", kDegree};
 constexpr Unit kMetres{"_m", 1.0};
+constexpr std::array kAxes = {"x", "y", "z"};
 
 Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
@@ -41,6 +44,7 @@ Json ToJson(const OrientationErrors& errors) {
   Json json = ToJson(errors.rotation, kDegrees);
   json["inclination"] = ToJson(errors.inclination, kDegrees);
   json["heading"] = ToJson(errors.heading, kDegrees);
+  for (std::size_t i = 0; i < 3; ++i) json[kAxes[i]] = ToJson(errors.axis[i], kDegrees);
   return json;
 }
 
@@ -80,15 +84,25 @@ Json RelativesOf(const Evaluation& evaluation) {
   return json;
 }
 
+Json ToJson(const std::optional<LimitsOfAgreement>& limits) {
+  if (!limits) return nullptr;
+  return {{"lower_deg", limits->lower / kDegree}, {"upper_deg", limits->upper / kDegree}};
+}
+
 Json JointAnglesOf(const Evaluation& evaluation) {
   Json json = Json::object();
-  for (const auto& [name, angle] : evaluation.joint_angles) json[name] = ToJson(angle, kDegrees);
+  for (const auto& [name, angle] : evaluation.joint_angles) {
+    json[name] = ToJson(angle, kDegrees);
+    json[name]["concordance"] = OrNull(angle.concordance);
+    json[name]["limits_of_agreement"] = ToJson(angle.limits);
+  }
   return json;
 }
 
 Json ToJson(const PositionErrors& errors) {
   Json json = ToJson(errors.distance, kMetres);
   json["horizontal"] = ToJson(errors.horizontal, kMetres);
+  for (std::size_t i = 0; i < 2; ++i) json[kAxes[i]] = ToJson(errors.axis[i], kMetres);
   json["vertical"] = errors.vertical ? ToJson(*errors.vertical, kMetres) : Json(nullptr);
   return json;
 }
@@ -155,7 +169,10 @@ std::string EvaluationJson(const Evaluation& evaluation) {
       {"orientation", OrientationsOf(evaluation)},
       {"relative", RelativesOf(evaluation)},
       {"joint_angles", JointAnglesOf(evaluation)},
-      {"positions", PositionsOf(evaluation)}};
+      {"positions", PositionsOf(evaluation)},
+      {"outcomes",
+       {{"estimate", ToJson(evaluation.outcomes)},
+        {"reference", ToJson(evaluation.reference_outcomes)}}}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

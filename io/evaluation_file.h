@@ -10,9 +10,13 @@
 //   orientation   by segment; statistics of the whole angle, inclination and heading, `raw` and
 //                 `aligned` alike
 //   relative      by pair of neighbours, "forearm_in_upper_arm"; the same blocks
-//   joint_angles  by name
+//                 (about their x, y and z apart, too)
+//   joint_angles  by name; concordance (Lin) and limits_of_agreement (Bland & Altman) besides
 //   positions     by point; statistics of the distance, horizontal and vertical, raw and aligned,
 //                 and what became of the path
+//   outcomes      by `estimate` and by `reference`: movement (what moved, count, moving_s, medians,
+//                 epochs with peak speed, speed_peaks, sparc, ldlj, path_ratio), ranges of the
+//                 joint angles, compensation by shoulder and trunk (problems/movement_outcomes.h)
 // `alignment` says in words what was removed before the figures that stand directly in a block, and
 // `removed` gives the constants of `aligned`: reference ≈ proximal * estimate * distal.
 #pragma once

@@ -90,6 +90,8 @@ Json Versions(const RunInfo& run) {
   return json;
 }
 
+Json Options(const RunInfo& run) { return run.options.is_null() ? Json::object() : run.options; }
+
 // What the columns of estimate.csv mean, for a reader who has nothing but the folder.
 Json Conventions() {
   return {
@@ -125,7 +127,7 @@ Json SummaryOf(const Estimate& estimate, const RunInfo& run) {
           {"trial", run.trial},
           {"side", Name(estimate.side)},
           {"method", estimate.method},
-          {"options", run.options.is_null() ? Json::object() : run.options},
+          {"options", Options(run)},
           {"samples", estimate.time.size()},
           {"convergence", Convergence(diagnostics)},
           {"residuals", Residuals(diagnostics)},
@@ -142,6 +144,14 @@ Json SummaryOf(const Estimate& estimate, const RunInfo& run) {
           {"versions", Versions(run)},
           {"inputs", Inputs(run)},
           {"conventions", Conventions()}};
+}
+
+bool TellsOfTheSame(const Json& summary, const std::string& method, const RunInfo& run) {
+  const auto says = [&](const char* key, const Json& value) {
+    return summary.contains(key) && summary[key] == Json::parse(value.dump());
+  };
+  return says("method", method) && says("options", Options(run)) &&
+         says("versions", Versions(run)) && says("inputs", Inputs(run));
 }
 
 Json TimingOf(const Estimate& estimate, const RunInfo& run) {

@@ -1,9 +1,10 @@
 #include "problems/evaluation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "problems/joint_angle_errors.h"
+#include "problems/rotation.h"
 #include "problems/sampling.h"
 
 namespace brachium {
@@ -57,10 +58,9 @@ struct Compared {
   }
 };
 
-Compared Compare(const Estimate& estimate, const Reference& reference, double clock_offset) {
+Compared Compare(const Estimate& estimate, const Reference& reference,
+                 const std::vector<double>& at) {
   const SampleTimes times(estimate.time);
-  std::vector<double> at = reference.time;
-  for (double& t : at) t -= clock_offset;
   Compared compared;
   for (const auto& [segment, q_VB] : reference.q_VB)
     if (const auto found = estimate.q_WB.find(segment); found != estimate.q_WB.end())
@@ -78,6 +78,14 @@ OrientationEvaluation EvaluateRotation(const RotationPairs& pairs,
       .raw = OrientationErrorsOf(pairs.estimate, pairs.reference, vertical),
       .aligned = OrientationErrorsOf(alignment.Apply(pairs.estimate), pairs.reference, vertical),
       .alignment = alignment};
+}
+
+std::vector<double> AnglesBetween(const std::vector<Quaterniond>& estimate,
+                                  const std::vector<Quaterniond>& reference) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < estimate.size(); ++i)
+    angles.push_back(Log(reference[i].conjugate() * estimate[i]).norm());
+  return angles;
 }
 
 std::vector<Vector3d> VerticalIn(const std::vector<Quaterniond>& q_VB) {
@@ -105,10 +113,13 @@ void EvaluateRelative(const std::map<Segment, RotationPairs>& rotations, Evaluat
     if (distal == rotations.begin()) continue;
     const auto proximal = std::prev(distal);
     const RotationPairs pairs = RelativeOf(proximal->second, distal->second);
+    const RotationAlignment alignment = AlignBothSides(pairs);
+    const bool raw = evaluation->frames == Reference::Frames::kSegment;
     evaluation->relative.push_back(
         {.name = std::string(Name(distal->first)) + "_in_" + std::string(Name(proximal->first)),
-         .orientation =
-             EvaluateRotation(pairs, AlignBothSides(pairs), VerticalIn(distal->second.reference))});
+         .orientation = EvaluateRotation(pairs, alignment, VerticalIn(distal->second.reference)),
+         .angle = AnglesBetween(raw ? pairs.estimate : alignment.Apply(pairs.estimate),
+                                pairs.reference)});
   }
 }
 
@@ -129,6 +140,13 @@ HorizontalEnds EndsOf(const Matrix3Xd& estimate, const Matrix3Xd& reference) {
   return ends;
 }
 
+std::vector<double> DistancesBetween(const Matrix3Xd& estimate, const Matrix3Xd& reference) {
+  Matrix3Xd error = estimate - reference;
+  if (!error.row(2).array().isFinite().any()) error.row(2).setZero();
+  const Eigen::RowVectorXd distances = error.colwise().norm();
+  return {distances.begin(), distances.end()};
+}
+
 void EvaluatePositions(const std::map<std::string, PointPairs>& points, const SampleTimes& times,
                        Evaluation* evaluation) {
   std::vector<PointPairs> all;
@@ -141,8 +159,43 @@ void EvaluatePositions(const std::map<std::string, PointPairs>& points, const Sa
                                    .aligned = PositionErrorsOf(aligned, pairs.reference),
                                    .path_length = PathLength(times, pairs.reference),
                                    .final_horizontal = ends.last,
-                                   .closing_horizontal = ends.closing};
+                                   .closing_horizontal = ends.closing,
+                                   .distance = DistancesBetween(aligned, pairs.reference)};
   }
+}
+
+// Those of a map that another one has too.
+template <typename Map>
+Map Common(const Map& map, const Map& other) {
+  Map common;
+  for (const auto& [key, value] : map)
+    if (other.contains(key)) common.emplace(key, value);
+  return common;
+}
+
+// Without heights where the reference knows none, so that both are looked at in the plane.
+void LeaveOutUnknownHeights(std::map<std::string, std::vector<Vector3d>>* reference,
+                            std::map<std::string, std::vector<Vector3d>>* estimate) {
+  for (auto& [name, points] : *reference) {
+    if (std::any_of(points.begin(), points.end(),
+                    [](const Vector3d& p) { return std::isfinite(p.z()); }))
+      continue;
+    for (Vector3d& p : points) p.z() = 0.0;
+    for (Vector3d& p : estimate->at(name)) p.z() = 0.0;
+  }
+}
+
+void EvaluateOutcomes(const Estimate& estimate, const Reference& reference,
+                      Evaluation* evaluation) {
+  std::map<Segment, std::vector<Quaterniond>> q_WB, q_VB;
+  if (reference.frames == Reference::Frames::kSegment) {
+    q_WB = Common(estimate.q_WB, reference.q_VB);
+    q_VB = Common(reference.q_VB, estimate.q_WB);
+  }
+  auto p_W = Common(estimate.p_W, reference.p_V), p_V = Common(reference.p_V, estimate.p_W);
+  LeaveOutUnknownHeights(&p_V, &p_W);
+  evaluation->outcomes = OutcomesOf(estimate.side, estimate.time, q_WB, p_W);
+  evaluation->reference_outcomes = OutcomesOf(estimate.side, evaluation->time, q_VB, p_V);
 }
 
 }  // namespace
@@ -153,7 +206,9 @@ Evaluation Evaluate(const Estimate& estimate, const Reference& reference) {
   evaluation.frames = reference.frames;
   evaluation.clock_offset = ClockOffsetOf(estimate, reference);
   evaluation.reference_samples = reference.time.size();
-  const Compared compared = Compare(estimate, reference, evaluation.clock_offset.seconds);
+  evaluation.time = reference.time;
+  for (double& t : evaluation.time) t -= evaluation.clock_offset.seconds;
+  const Compared compared = Compare(estimate, reference, evaluation.time);
   evaluation.used = compared.CountUsed(reference.time.size());
 
   EvaluateOrientations(compared.rotations, &evaluation);
@@ -161,6 +216,7 @@ Evaluation Evaluate(const Estimate& estimate, const Reference& reference) {
   if (reference.frames == Reference::Frames::kSegment)
     evaluation.joint_angles = JointAngleErrors(compared.rotations, estimate.side);
   EvaluatePositions(compared.points, SampleTimes(reference.time), &evaluation);
+  EvaluateOutcomes(estimate, reference, &evaluation);
   return evaluation;
 }
 

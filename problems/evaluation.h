@@ -12,6 +12,8 @@
 #include "problems/alignment.h"
 #include "problems/clock_offset.h"
 #include "problems/estimate.h"
+#include "problems/joint_angle_errors.h"
+#include "problems/movement_outcomes.h"
 #include "problems/orientation_errors.h"
 #include "problems/position_errors.h"
 #include "problems/statistics.h"
@@ -31,6 +33,7 @@ struct OrientationEvaluation {
 struct RelativeEvaluation {
   std::string name;
   OrientationEvaluation orientation;
+  std::vector<double> angle;  // of the figure to go by, over Evaluation::time [rad]
 };
 
 // After the common heading and shift, least squares over all points and instants.
@@ -40,6 +43,7 @@ struct PositionEvaluation {
   double path_length = 0.0;         // of the reference, picked every 0.1 s, gaps left out [m]
   double final_horizontal = 0.0;    // at the last instant compared, after the alignment [m]
   double closing_horizontal = 0.0;  // the same with the first instants laid together instead [m]
+  std::vector<double> distance;     // after the alignment, over Evaluation::time [m]
 };
 
 struct Evaluation {
@@ -47,14 +51,18 @@ struct Evaluation {
   Reference::Frames frames = Reference::Frames::kSegment;
   ClockOffset clock_offset;
   std::size_t reference_samples = 0;  // instants of the reference
+  std::vector<double> time;           // these, on the recordings' clock [s]; errors over it are NaN
+                                      // where nothing could be compared
   std::size_t used = 0;               // those at which anything could be compared
   double heading = 0.0;  // reference's world from the estimate's, of orientations [rad]
   std::map<Segment, OrientationEvaluation> orientation;  // after heading, and for kCluster frames
                                                          // one constant rotation of each body
   std::vector<RelativeEvaluation> relative;
-  std::map<std::string, Statistics> joint_angles;  // "elbow_flexion", ... [rad]; kSegment only
+  std::map<std::string, JointAngleError> joint_angles;  // "elbow_flexion", ...; kSegment only
   PointAlignment point_alignment;
   std::map<std::string, PositionEvaluation> positions;
+  MovementOutcomes outcomes;            // by the estimate
+  MovementOutcomes reference_outcomes;  // by the reference, of what both of them hold
 };
 
 // Compares whatever both of them hold; without any common sample, `used` is 0 and statistics are

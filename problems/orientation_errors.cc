@@ -41,7 +41,10 @@ OrientationErrors OrientationErrorsOf(const std::vector<Quaterniond>& estimate,
   }
   OrientationErrors errors{.rotation = StatisticsOf(rotation),
                            .inclination = StatisticsOf(inclination),
-                           .heading = StatisticsOf(heading)};
+                           .heading = StatisticsOf(heading),
+                           .axis = {}};
+  for (Eigen::Index i = 0; i < 3; ++i)
+    errors.axis[static_cast<std::size_t>(i)] = StatisticsOf(rotation.row(i));
   errors.rotation.correlation = Correlation(cosines, cosines_reference);
   return errors;
 }

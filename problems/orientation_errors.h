@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 #include "problems/statistics.h"
@@ -23,6 +24,7 @@ struct OrientationErrors {
   Statistics rotation;     // the whole angle; its correlation is that of the direction cosines
   Statistics inclination;  // between the vertical as the body has it and as the reference has it
   Statistics heading;      // what is left: the turn about the vertical, signed
+  std::array<Statistics, 3> axis;  // components of the whole, signed
 };
 
 // Sample by sample; a NaN is a sample left out. `vertical` is the upward unit vector in the axes of

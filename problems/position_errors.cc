@@ -28,6 +28,8 @@ Statistics StatisticsOfRows(const Matrix3Xd& estimate, const Matrix3Xd& referenc
 PositionErrors PositionErrorsOf(const Matrix3Xd& estimate, const Matrix3Xd& reference) {
   PositionErrors errors;
   errors.horizontal = StatisticsOfRows(estimate, reference, 0, 2);
+  for (int i = 0; i < 2; ++i)
+    errors.axis[static_cast<std::size_t>(i)] = StatisticsOfRows(estimate, reference, i, 1);
   errors.distance = errors.horizontal;
   if (!HeightKnown(estimate - reference)) return errors;
   errors.distance = StatisticsOfRows(estimate, reference, 0, 3);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "problems/sampling.h"
@@ -14,6 +15,7 @@ struct PositionErrors {
   Statistics distance;                 // in space, or in the plane where no height is known
   Statistics horizontal;               // in the plane
   std::optional<Statistics> vertical;  // signed; absent where no height is known
+  std::array<Statistics, 2> axis;      // along x and y of the reference's world, signed
 };
 
 // A column per instant.

@@ -7,8 +7,8 @@
 namespace brachium {
 namespace {
 
-// Linear between neighbours in order; part 0 is the least, 1 the greatest. Reorders the values.
-double Quantile(std::vector<double>* values, double part) {
+// Requires a value and no NaN; reorders the values.
+double KnownQuantile(std::vector<double>* values, double part) {
   const double place = part * static_cast<double>(values->size() - 1);
   const auto below = values->begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(values->begin(), below, values->end());
@@ -21,6 +21,11 @@ double Quantile(std::vector<double>* values, double part) {
 double NegligibleVariance(double level) { return 1e-24 * (1.0 + level * level); }
 
 }  // namespace
+
+double Quantile(std::vector<double> values, double part) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return values.empty() ? Statistics::kUnknown : KnownQuantile(&values, part);
+}
 
 Statistics StatisticsOf(const Series& error) {
   Statistics statistics;
@@ -45,8 +50,8 @@ Statistics StatisticsOf(const Series& error) {
   statistics.bias = error.rows() == 1 ? mean(0) : mean.norm();
   statistics.sd = std::sqrt(spread / n);
   statistics.rmse = std::sqrt(square / n);
-  statistics.median = Quantile(&magnitude, 0.5);
-  statistics.p95 = Quantile(&magnitude, 0.95);
+  statistics.median = KnownQuantile(&magnitude, 0.5);
+  statistics.p95 = KnownQuantile(&magnitude, 0.95);
   statistics.max = *std::max_element(magnitude.begin(), magnitude.end());
   return statistics;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace brachium {
 
@@ -26,6 +27,10 @@ struct Statistics {
 };
 
 Statistics StatisticsOf(const Series& error);
+
+// Linear between neighbours in order; part 0 is the least value, 1 the greatest. NaNs are left out;
+// without another value the quantile is NaN.
+double Quantile(std::vector<double> values, double part);
 
 // Pearson's correlation coefficient; of vectors, covariances and variances are summed over the
 // components. Absent below two samples or when one of the two does not vary.

@@ -123,7 +123,7 @@ TEST(EvaluationJson, IsWholeWhereNothingWasCompared) {
   EXPECT_EQ(empty["clock_offset"]["source"], "unknown");
   EXPECT_TRUE(empty["relative"].empty());
   Evaluation unknown;
-  unknown.joint_angles["elbow_flexion"] = Statistics{};
+  unknown.joint_angles["elbow_flexion"] = JointAngleError{};
   EXPECT_TRUE(Parsed(unknown)["joint_angles"]["elbow_flexion"]["rmse_deg"].is_null());
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <random>
@@ -271,6 +272,52 @@ TEST(Evaluate, MeasuresADeadReckonedWalkAgainstItsPath) {
   for (double t = 0.0; t < 29.985; t += 0.01)
     way += (SmoothPoint(t + 0.01) - SmoothPoint(t)).head<2>().norm();
   EXPECT_NEAR(hand.path_length, way, 0.01 * way);
+}
+
+TEST(Evaluate, KeepsTheErrorsOverTimeOnTheRecordingsClock) {
+  Pair pair = Agreeing(1000);
+  for (double& t : pair.reference.time) t += 0.5;
+  pair.reference.clock_offset = 0.5;
+  for (const Frames frames : {Frames::kSegment, Frames::kCluster}) {
+    pair.reference.frames = frames;
+    Quaterniond& turned = pair.estimate.q_WB[Segment::kForearm][700];
+    turned = turned * Exp(Vector3d(0.0, 0.2, 0.0));
+    pair.estimate.p_W["wrist"][700].z() += 0.04;
+    const Evaluation evaluation = Evaluate(pair.estimate, pair.reference);
+    const std::vector<double>& angle = evaluation.relative.at(0).angle;
+    const auto worst = std::max_element(angle.begin(), angle.end()) - angle.begin();
+    EXPECT_EQ(worst, 700);
+    EXPECT_NEAR(evaluation.time[700], 7.0, 1e-9);
+    const auto& relative = evaluation.relative.at(0).orientation;
+    EXPECT_EQ(angle[700],
+              (frames == Frames::kSegment ? relative.raw : relative.aligned).rotation.max);
+    const PositionEvaluation& wrist = evaluation.positions.at("wrist");
+    EXPECT_NEAR(wrist.distance[700], wrist.aligned.distance.max, 1e-15);
+  }
+}
+
+TEST(Evaluate, SplitsErrorsByAxis) {
+  Pair pair = Agreeing(1000);
+  Turn(kNone, &pair.estimate.q_WB[Segment::kForearm], Exp(Vector3d(0.0, 0.03, 0.0)));
+  for (Vector3d& p : pair.estimate.p_W["wrist"]) p.y() += 0.01;
+  const Evaluation evaluation = Evaluate(pair.estimate, pair.reference);
+  const auto& axis = ForearmInUpperArm(evaluation).raw.axis;
+  EXPECT_NEAR(axis[0].rmse, 0.0, 1e-12);
+  EXPECT_NEAR(axis[1].bias, 0.03, 1e-12);
+  EXPECT_NEAR(axis[2].rmse, 0.0, 1e-12);
+  EXPECT_NEAR(evaluation.positions.at("wrist").raw.axis[0].rmse, 0.0, 1e-12);
+  EXPECT_NEAR(evaluation.positions.at("wrist").raw.axis[1].bias, 0.01, 1e-12);
+}
+
+TEST(Evaluate, LooksAtMovementsOfBothAlike) {
+  Pair pair = Agreeing();
+  for (Vector3d& p : pair.reference.p_V["wrist"]) p.z() = kNaN;  // in the plane
+  const Evaluation evaluation = Evaluate(pair.estimate, pair.reference);
+  ASSERT_FALSE(evaluation.outcomes.epochs.empty());
+  EXPECT_EQ(evaluation.outcomes.epochs.size(), evaluation.reference_outcomes.epochs.size());
+  EXPECT_EQ(evaluation.outcomes.epochs[0].peak_speed,
+            evaluation.reference_outcomes.epochs[0].peak_speed);
+  EXPECT_EQ(evaluation.outcomes.ranges.size(), evaluation.reference_outcomes.ranges.size());
 }
 
 TEST(Evaluate, IsEmptyButWholeWhereNothingIsKnown) {

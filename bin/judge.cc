@@ -1,0 +1,25 @@
+#include "bin/judge.h"
+
+#include "io/input_error.h"
+
+namespace brachium {
+
+const Reference& RequireReference(const TrialFolder& folder, const std::string& path) {
+  if (!folder.trial.reference)
+    throw InputError(path + "/trial.json", 0,
+                     "has no \"reference\", so there is nothing to compare with; add an "
+                     "independent recording of the same movement, as "
+                     "\"reference\": {\"file\": \"reference.csv\", \"frames\": \"segment\"}");
+  return *folder.trial.reference;
+}
+
+Evaluation Judge(const Estimate& estimate, const Reference& reference, const std::string& path) {
+  Evaluation evaluation = Evaluate(estimate, reference);
+  if (evaluation.used == 0)
+    throw InputError(path + "/trial.json", 0,
+                     "the reference and the estimate have no instant, or no segment, in common; "
+                     "expected both of the same trial (see \"clock_offset_s\" and \"columns\")");
+  return evaluation;
+}
+
+}  // namespace brachium
