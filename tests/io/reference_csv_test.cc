@@ -73,7 +73,8 @@ constexpr const char* kTwoClusters =
     "0,0.6,0.8,0,0,1,0,0,0\n0.1,0.6,0.8,0,0,,,,\n";
 
 TEST(Reference, TurnsClustersThatAreKnownToTheirSegments) {
-  ReferenceEntry entry{.frames = Reference::Frames::kCluster};
+  ReferenceEntry entry;
+  entry.frames = Reference::Frames::kCluster;
   entry.q_BC = {{Segment::kUpperArm, Eigen::Quaterniond(0.6, 0.8, 0.0, 0.0)},
                 {Segment::kForearm, Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0)}};
   const Reference reference = Parse(kTwoClusters, entry).reference;
@@ -84,7 +85,8 @@ TEST(Reference, TurnsClustersThatAreKnownToTheirSegments) {
 }
 
 TEST(Reference, StaysOneOfClustersWhereNotAllAreKnown) {
-  ReferenceEntry entry{.frames = Reference::Frames::kCluster};
+  ReferenceEntry entry;
+  entry.frames = Reference::Frames::kCluster;
   entry.q_BC = {{Segment::kForearm, Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0)}};
   Findings findings;
   const Reference reference = Parse(kTwoClusters, entry, &findings).reference;
