@@ -128,7 +128,7 @@ int RunCalibrate(CommandLine& line) {
     WriteOneFile(flags.output, text, flags.overwrite);
   }
   std::cout << "Trial " << folder.trial.name << "\n"
-            << CalibrationText(calibration, "q_BS_wxyz")
+            << CalibrationText(calibration, "q_BS_wxyz") << "\n"
             << CalibrationText(clusters, "q_BC_wxyz of the reference's cluster") << "Mountings in "
             << flags.output << "\n";
   return kGood;

@@ -10,8 +10,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRestless = 1e9;
-constexpr double kStill = 2.0;        // of the statistic
-constexpr double kEdgeFactor = 4.0;   // of the stillest window's statistic, at the edges of a rest
+constexpr double kStill = 2.0;       // of the statistic
+constexpr double kEdgeFactor = 4.0;  // of the stillest window's statistic, at the edges of a rest
+constexpr double kStillEdge = 0.1;   // an edge is still enough below it, if the sensor has no noise
 constexpr double kScaleError = 0.01;  // of an accelerometer
 constexpr double kCertainly = 3.0;    // standard deviations
 
@@ -203,7 +204,7 @@ class RestSearch {
     const auto edge = std::max<std::size_t>(3, static_cast<std::size_t>(options_.edge_s / period_));
     const Vector3d mean_force = force_.Mean(run.begin, run.end);
     const double stillest = *std::min_element(At(run.begin), At(run.end));
-    const double tolerated = std::min(kStill, kEdgeFactor * stillest);
+    const double tolerated = std::clamp(kEdgeFactor * stillest, kStillEdge, kStill);
     while (run.end - run.begin > edge &&
            Statistic(run.begin, run.begin + edge, mean_force) > tolerated)
       ++run.begin;

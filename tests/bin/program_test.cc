@@ -193,7 +193,10 @@ TEST_F(Program, CalibratesTheClustersOfAReferenceSoThatJointAnglesCanBeCompared)
 
   ASSERT_EQ(Reconstruct(calibrated, Path("estimate"), {"--method=luinge"}).exit_code, 0);
   const auto evaluated = [&](const std::string& folder) {
-    return Run({"evaluate", "--trial=" + folder, "--estimate=" + Path("estimate")}).out;
+    const Outcome evaluation =
+        Run({"evaluate", "--trial=" + folder, "--estimate=" + Path("estimate"), "--overwrite"});
+    EXPECT_EQ(evaluation.exit_code, 0) << evaluation.err;
+    return evaluation.out;
   };
   EXPECT_THAT(evaluated(calibrated), HasSubstr("elbow_flexion"));
   EXPECT_THAT(evaluated(trial), Not(HasSubstr("elbow_flexion")));

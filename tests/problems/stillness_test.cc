@@ -96,6 +96,17 @@ TEST(DetectRests, EndsARestWhereAMovementBegins) {
   EXPECT_LT(rests[0].mean_rate.norm(), 0.01 * kDegree);
 }
 
+TEST(DetectRests, KeepsTheRestOfASensorWithoutNoise) {
+  Recording recording = Signals(SmoothStart(), Zero, 3.8);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    recording.gyr_S[i] = kDegree * SmoothStart()(recording.time[i]);
+    recording.acc_S[i] = kUp_S;
+  }
+  const auto rests = DetectRests(recording, {});
+  ASSERT_EQ(rests.size(), 1u);
+  EXPECT_NEAR(rests[0].end, 3.0, 0.03);
+}
+
 TEST(DetectRests, TakesNoTurningPointOfAMovementForARest) {
   const auto force_at_the_turn = [](double acceleration) {
     return Signals(
