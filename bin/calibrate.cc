@@ -1,6 +1,4 @@
 // brachium calibrate: how the sensors of a trial sit on their segments, from labelled movements.
-#include "solver/calibrate.h"
-
 #include <iostream>
 #include <map>
 #include <string>
@@ -16,6 +14,7 @@
 #include "io/output_folder.h"
 #include "io/text.h"
 #include "io/trial_folder.h"
+#include "solver/calibrate_clusters.h"
 
 namespace brachium {
 namespace {
@@ -42,11 +41,12 @@ const CommandHelp kHelp = {
     "palm down before a supination and after a pronation), calibration:upper_arm_endorotation and "
     "calibration:upper_arm_exorotation, calibration:upper_arm_abduction (hanging arm, elbow bent), "
     "each interval one movement from a rest to a rest, five of each; or calibration:static_pose in "
-    "recordings that carry the maker's orientation. Refuses, with the reason, what cannot be "
+    "recordings that carry the maker's orientation. The clusters of a reference whose frames are "
+    "clusters are calibrated by the same movements. Refuses, with the reason, what cannot be "
     "calibrated. Where on the segment a sensor sits is not found: measure it."};
 
-nlohmann::ordered_json ReportOf(const Calibration& calibration, const CalibrationOptions& options) {
-  nlohmann::ordered_json json = {{"options", ToJson(options)}};
+nlohmann::ordered_json ReportOf(const Calibration& calibration) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const SegmentCalibration& segment : calibration.segments)
     for (const Figure& figure : segment.figures)
       json[std::string(Name(segment.segment))][figure.name] = figure.value;
@@ -54,8 +54,17 @@ nlohmann::ordered_json ReportOf(const Calibration& calibration, const Calibratio
   return json;
 }
 
-std::string CalibrationText(const Calibration& calibration) {
-  Table table({"segment", "q_BS_wxyz", "sigma [deg]"});
+nlohmann::ordered_json ReportOf(const Calibration& sensors, const Calibration& clusters,
+                                const CalibrationOptions& options) {
+  nlohmann::ordered_json json = ReportOf(sensors);
+  json["options"] = ToJson(options);
+  if (!clusters.segments.empty() || !clusters.notes.empty()) json["clusters"] = ReportOf(clusters);
+  return json;
+}
+
+std::string CalibrationText(const Calibration& calibration, const std::string& rotated) {
+  if (calibration.segments.empty() && calibration.notes.empty()) return "";
+  Table table({"segment", rotated, "sigma [deg]"});
   Table figures({"segment", "figure", "value"});
   for (const SegmentCalibration& segment : calibration.segments) {
     const std::string name(Name(segment.segment));
@@ -78,6 +87,22 @@ void RequireFaultless(const Calibration& calibration, const std::string& trial) 
   throw InputError(trial + "/trial.json", 0, text);
 }
 
+// Where a reference's clusters cannot be calibrated they stay what they were, clusters.
+Calibration ClustersOf(const Trial& trial, const CalibrationOptions& options) {
+  if (!trial.reference || trial.reference->frames != Reference::Frames::kCluster) return {};
+  Calibration clusters = CalibrateClusters(*trial.reference, trial.observations, options);
+  for (const std::string& fault : clusters.faults)
+    clusters.notes.push_back(fault + "; evaluation goes on turning it freely");
+  return clusters;
+}
+
+std::map<Segment, Mounting> MountingsOf(const Calibration& calibration) {
+  std::map<Segment, Mounting> mountings;
+  for (const SegmentCalibration& segment : calibration.segments)
+    mountings[segment.segment] = segment.mounting;
+  return mountings;
+}
+
 }  // namespace
 
 int RunCalibrate(CommandLine& line) {
@@ -94,17 +119,18 @@ int RunCalibrate(CommandLine& line) {
   const TrialFolder folder = ReadTrial(flags.trial);
   const Calibration calibration = Calibrate(folder.trial.observations, options);
   RequireFaultless(calibration, flags.trial);
-  std::map<Segment, Mounting> mountings;
-  for (const SegmentCalibration& segment : calibration.segments)
-    mountings[segment.segment] = segment.mounting;
+  const Calibration clusters = ClustersOf(folder.trial, options);
   const std::string text =
-      WithMountings(flags.trial, mountings, ReportOf(calibration, options), flags.output);
+      WithMountings(flags.trial, MountingsOf(calibration), MountingsOf(clusters),
+                    ReportOf(calibration, clusters, options), flags.output);
   {
     const WithoutInterruption writing;
     WriteOneFile(flags.output, text, flags.overwrite);
   }
   std::cout << "Trial " << folder.trial.name << "\n"
-            << CalibrationText(calibration) << "Mountings in " << flags.output << "\n";
+            << CalibrationText(calibration, "q_BS_wxyz") << "\n"
+            << CalibrationText(clusters, "q_BC_wxyz of the reference's cluster") << "Mountings in "
+            << flags.output << "\n";
   return kGood;
 }
 

@@ -10,10 +10,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-void EnterRotation(const Mounting& mounting, Json& entry) {
+void EnterRotation(const Mounting& mounting, const std::string& key, Json& entry) {
   const Eigen::Quaterniond& q = mounting.q_BS;
-  entry["mounting"]["q_BS_wxyz"] = {q.w(), q.x(), q.y(), q.z()};
-  entry["mounting"]["q_sigma_deg"] = mounting.q_sigma / kDegree;
+  entry[key] = {q.w(), q.x(), q.y(), q.z()};
+  entry["q_sigma_deg"] = mounting.q_sigma / kDegree;
 }
 
 // A file's name as seen from another folder.
@@ -27,7 +27,8 @@ fs::path Folder(const fs::path& path) { return fs::absolute(path).lexically_norm
 }  // namespace
 
 std::string WithMountings(const std::string& trial, const std::map<Segment, Mounting>& mountings,
-                          const Json& calibration, const std::string& output) {
+                          const std::map<Segment, Mounting>& clusters, const Json& calibration,
+                          const std::string& output) {
   const FileBytes bytes((fs::path(trial) / "trial.json").string());
   Json json = Json::parse(bytes.text());
   const fs::path to = Folder(output).parent_path();
@@ -35,9 +36,11 @@ std::string WithMountings(const std::string& trial, const std::map<Segment, Moun
     Rebase(trial, to, entry);
     const auto segment = SegmentFromName(entry["segment"].get<std::string>());
     if (const auto found = mountings.find(*segment); found != mountings.end())
-      EnterRotation(found->second, entry);
+      EnterRotation(found->second, "q_BS_wxyz", entry["mounting"]);
   }
   if (json.contains("reference")) Rebase(trial, to, json["reference"]);
+  for (const auto& [segment, mounting] : clusters)
+    EnterRotation(mounting, "q_BC_wxyz", json["reference"]["clusters"][std::string(Name(segment))]);
   json["calibration"] = calibration;
   return json.dump(2) + "\n";
 }

@@ -21,14 +21,6 @@ constexpr std::array<std::string_view, 6> kNoiseKeys = {"preset",
                                                         "accel_bias_sigma_m_s2"};
 constexpr std::array<std::string_view, 2> kPresets = {"mtw", "mtx"};
 
-Eigen::Quaterniond ParseRotation(const JsonNode& node) {
-  const std::vector<double> q = node.Numbers(4);
-  const Eigen::Quaterniond q_BS(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(q_BS.norm() - 1.0) <= kUnitNormTolerance))
-    node.Fail("has the norm " + Fixed(q_BS.norm(), 4) + "; expected a unit quaternion, w first");
-  return q_BS.normalized();
-}
-
 Eigen::Vector3d ParsePosition(const JsonNode& node) {
   const std::vector<double> p = node.Numbers(3);
   const Eigen::Vector3d p_BS_B(p[0], p[1], p[2]);
@@ -51,6 +43,14 @@ void ReplaceIfGiven(const JsonNode& node, std::string_view key, double unit, dou
 }
 
 }  // namespace
+
+Eigen::Quaterniond ParseRotation(const JsonNode& node) {
+  const std::vector<double> q = node.Numbers(4);
+  const Eigen::Quaterniond q_BS(q[0], q[1], q[2], q[3]);
+  if (!(std::abs(q_BS.norm() - 1.0) <= kUnitNormTolerance))
+    node.Fail("has the norm " + Fixed(q_BS.norm(), 4) + "; expected a unit quaternion, w first");
+  return q_BS.normalized();
+}
 
 Mounting ParseMounting(const JsonNode& node, const SegmentGeometry& segment, Findings* findings) {
   node.WarnOfUnknownKeys(kMountingKeys, &findings->warnings);

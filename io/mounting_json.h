@@ -11,6 +11,9 @@ namespace brachium {
 // A quaternion may be off the unit sphere by that much; it is normalised.
 inline constexpr double kUnitNormTolerance = 1e-3;
 
+// A unit quaternion, w first; one that is off by more than that fails.
+Eigen::Quaterniond ParseRotation(const JsonNode& node);
+
 // A mounting has its rotation; without a position the sensor is taken to lie half-way along the
 // segment, known to 5 cm.
 Mounting ParseMounting(const JsonNode& mounting, const SegmentGeometry& segment,

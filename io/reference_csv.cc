@@ -19,8 +19,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarPoint = 100.0;  // [m]
-constexpr std::array<std::string_view, 5> kReferenceKeys = {"file", "frames", "columns", "up",
-                                                            "clock_offset_s"};
+constexpr std::array<std::string_view, 6> kReferenceKeys = {"file", "frames",         "columns",
+                                                            "up",   "clock_offset_s", "clusters"};
+constexpr std::array<std::string_view, 2> kClusterKeys = {"q_BC_wxyz", "q_sigma_deg"};
 constexpr std::array<std::string_view, 4> kJoints = {"shoulder", "elbow", "wrist", "hand"};
 
 const Eigen::Quaterniond& ZUpFromYUp() {
@@ -144,6 +145,33 @@ void CheckMappedNames(const ReferenceReader& reader, const ReferenceEntry& entry
                            "_px.._pz; reference.columns names them for " + name);
 }
 
+std::map<Segment, Eigen::Quaterniond> ParseClusters(const JsonNode& node, Reference::Frames frames,
+                                                    Findings* findings) {
+  if (frames != Reference::Frames::kCluster)
+    node.Fail("is told beside the frames 'segment'; expected the frames 'cluster'");
+  std::map<Segment, Eigen::Quaterniond> q_BC;
+  for (const auto& [name, cluster] : node.Members()) {
+    const auto segment = SegmentFromName(name);
+    if (!segment) cluster.Fail("is no segment");
+    cluster.WarnOfUnknownKeys(kClusterKeys, &findings->warnings);
+    q_BC[*segment] = ParseRotation(cluster.At("q_BC_wxyz"));
+  }
+  return q_BC;
+}
+
+// From clusters to segments, where every segment's cluster is known.
+void AlignClusters(const ReferenceEntry& entry, Reference& reference, Findings* findings) {
+  for (const auto& [segment, q_VC] : reference.q_VB)
+    if (!entry.q_BC.contains(segment)) {
+      findings->warnings.push_back("reference.clusters lacks " + std::string(Name(segment)) +
+                                   ": the clusters of all segments stay unaligned");
+      return;
+    }
+  for (auto& [segment, q_VB] : reference.q_VB)
+    for (Eigen::Quaterniond& q : q_VB) q = q * entry.q_BC.at(segment).conjugate();
+  reference.frames = Reference::Frames::kSegment;
+}
+
 bool IsQuantity(std::string_view column) {
   constexpr std::array<std::string_view, 7> kEndings = {"_qw", "_qx", "_qy", "_qz",
                                                         "_px", "_py", "_pz"};
@@ -181,6 +209,8 @@ ReferenceEntry ParseReferenceEntry(const JsonNode& node, Findings* findings) {
       entry.columns[name] = in_file.Text();
     }
   if (const auto up = node.Find("up")) entry.up_is_y = OneOf(*up, "z", "y") == "y";
+  if (const auto clusters = node.Find("clusters"))
+    entry.q_BC = ParseClusters(*clusters, entry.frames, findings);
   if (const auto offset = node.Find("clock_offset_s")) entry.clock_offset = offset->Number();
   return entry;
 }
@@ -205,6 +235,7 @@ ReferenceFile ParseReference(std::string_view text, const std::string& file,
     throw InputError(file, 1,
                      "has no column of a known segment or joint; expected NAME_qw.._qz or "
                      "NAME_px.._pz, or reference.columns to say which name is which");
+  if (!entry.q_BC.empty()) AlignClusters(entry, reference, findings);
   WarnOfMillimetres(reference, entry.file, findings);
   const Steps steps = MeasureSteps(reference.time);
   CheckStepUnit(steps, file);

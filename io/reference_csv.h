@@ -17,6 +17,7 @@ struct ReferenceEntry {
   std::string file;
   Reference::Frames frames = Reference::Frames::kSegment;
   std::map<std::string, std::string> columns;  // segment or point -> its name in the file
+  std::map<Segment, Eigen::Quaterniond> q_BC;  // cluster to segment, where that is known
   bool up_is_y = false;
   std::optional<double> clock_offset;  // [s]
 };
@@ -39,7 +40,8 @@ struct ReferenceFile {
 
 // Columns time_s, per segment NAME_qw.._qz, per point (a joint, or a recorded segment) NAME_px, _py
 // and, unless the reference has no height, _pz [m]. An empty cell is a gap (NaN). A reference whose
-// vertical is y is turned so that z points up: (x, y, z) -> (x, -z, y).
+// vertical is y is turned so that z points up: (x, y, z) -> (x, -z, y). Clusters whose turn on the
+// segment is known, of every segment in the file, make it a reference of segments.
 ReferenceFile ParseReference(std::string_view text, const std::string& file,
                              const ReferenceEntry& entry, const std::set<Segment>& recorded,
                              Findings* findings);

@@ -98,7 +98,8 @@ void ArmProblem::AddGyroscope(int knot, int sensor) {
 
 double ArmProblem::UnmodelledDensity(int knot, int sensor, double sigma) const {
   const Preintegrated& interval = Interval(knot, sensor);
-  return 2 * options_.unmodelled_correlation_s * Square(sigma) +
+  const double turning = Square(options_.accel_size_m) * interval.force_spread / interval.duration;
+  return 2 * options_.unmodelled_correlation_s * (Square(sigma) + turning) +
          interval.accel_gap_variance / interval.duration;
 }
 
@@ -224,7 +225,9 @@ void ArmProblem::AddShoulder() {
 void ArmProblem::AddRests(int sensor) {
   const Recording& recording = observations_.recordings[U(sensor)];
   for (const RestInterval& rest : rests_[U(sensor)]) {
-    const double sigma = options_.zero_velocity_sigma_m_s * rest.slack;
+    // What rocks faster rocks for a shorter time: the way it goes stays the same.
+    const double sigma = options_.zero_velocity_sigma_m_s * rest.slack,
+                 correlation = options_.zero_velocity_correlation_s / rest.slack;
     const int first = timeline_.KnotBefore(rest.start), last = timeline_.KnotBefore(rest.end);
     for (int knot = first; knot <= last; ++knot) {
       if (timeline_.knots[U(knot)] < rest.start) continue;
@@ -234,7 +237,7 @@ void ArmProblem::AddRests(int sensor) {
       else
         Add(InBodyAxes(ZeroVelocity(
                 FirstOrderStep::Over(timeline_.knots[U(knot)] - timeline_.knots[U(knot) - 1], sigma,
-                                     options_.zero_velocity_correlation_s),
+                                     correlation),
                 rest.probability)),
             ResidualKind::kZeroVelocity,
             {Attitude(knot, sensor), Velocity(knot - 1, sensor), Velocity(knot, sensor)}, sensor,

@@ -18,6 +18,7 @@ struct ModelOptions {
   double gyro_scale_sigma = 0.003;
   double gyro_cross_axis = 0.003;
   double accel_scale_sigma = 0.005;
+  double accel_size_m = 0.001;
   double unmodelled_acceleration = 0.1;
   double unmodelled_quiver = 0.001;
   double unmodelled_correlation_s = 0.1;
@@ -50,6 +51,9 @@ struct ModelOptions {
         "are not square to each other or not the accelerometer's, bent scales.");
     visit("accel_scale_sigma", options.accel_scale_sigma,
           "Relative scale error of each accelerometer axis, estimated [1].");
+    visit("accel_size_m", options.accel_size_m,
+          "How far the points at which an accelerometer senses lie apart [m]: what it reads wrong "
+          "when it turns fast. Matters most to a single sensor, whose rests tell nothing of it.");
     visit("unmodelled_acceleration", options.unmodelled_acceleration,
           "First guess of the acceleration that the model leaves out [m/s^2]; each sensor's own is "
           "then estimated from its residuals.");

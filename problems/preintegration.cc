@@ -20,6 +20,18 @@ constexpr double kRateLimit = 3.0;         // [rad/s]
 constexpr double kForceCurvature = 100.0;  // [m/s⁴]
 constexpr double kForceLimit = 10.0;       // [m/s²]
 
+// The turn of a part of a cell of length h, and what a bias changes of it.
+struct PartTurn {
+  PartTurn(double h, const Vector3d& w, const Vector3d& w_slope) {
+    const Vector3d turn = w * h + w.cross(w_slope) * (h * h * h / 12);
+    dq = Exp<double>(turn);
+    R_back = dq.conjugate().toRotationMatrix();
+    J = RightJacobian(turn) * h;
+  }
+  Eigen::Quaterniond dq;
+  Eigen::Matrix3d R_back, J;
+};
+
 }  // namespace
 
 struct Preintegrator::Cell {
@@ -67,13 +79,37 @@ Preintegrator::Cell Preintegrator::Clip(std::size_t cell, double start, double e
           gyr_slope_[cell], acc_slope_[cell]};
 }
 
+std::size_t Preintegrator::CellAt(double time) const {
+  const auto after = std::upper_bound(edges_.begin(), edges_.end(), time) - edges_.begin();
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0));
+}
+
+// Of a length h of a cell without a sample.
+double Preintegrator::GyroGapVariance(std::size_t cell, double h) const {
+  const double gap = edges_[cell + 1] - edges_[cell];
+  const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
+  return rate_error * rate_error * h * gap;
+}
+
+Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias) const {
+  Turned turned;
+  turned.duration = end - start;
+  for (std::size_t i = CellAt(start); i < gyr_.size() && edges_[i] < end; ++i) {
+    const Cell cell = Clip(i, start, end);
+    if (cell.h <= 0.0) continue;
+    const PartTurn turn(cell.h, cell.w - gyro_bias, cell.w_slope);
+    turned.dR_dbg = turn.R_back * turned.dR_dbg - turn.J;
+    turned.dq = (turned.dq * turn.dq).normalized();
+    if (is_gap_[i]) turned.gyro_gap_variance += GyroGapVariance(i, cell.h);
+  }
+  return turned;
+}
+
 Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_bias) const {
   Preintegrated sum;
   sum.duration = end - start;
   sum.gyro_bias = gyro_bias;
-  const auto first = std::upper_bound(edges_.begin(), edges_.end(), start) - edges_.begin() - 1;
-  for (auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first, 0));
-       i < gyr_.size() && edges_[i] < end; ++i) {
+  for (std::size_t i = CellAt(start); i < gyr_.size() && edges_[i] < end; ++i) {
     const auto [h, gyr, f, w_slope, f_slope] = Clip(i, start, end);
     if (h <= 0.0) continue;
     const Vector3d w = gyr - gyro_bias;
@@ -81,8 +117,8 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     const Vector3d f_m =
         f + h * h / 12 * (w.cross(f_slope) + 0.5 * w_slope.cross(f) + 0.5 * w.cross(wxf));
     const Vector3d half_turn = w * (h / 2) - w_slope * (h * h / 8);
-    const Vector3d turn = w * h + w.cross(w_slope) * (h * h * h / 12);
-    const Eigen::Quaterniond dq_half = Exp<double>(half_turn), dq_full = Exp<double>(turn);
+    const Eigen::Quaterniond dq_half = Exp<double>(half_turn);
+    const PartTurn turn(h, w, w_slope);
     const Eigen::Matrix3d R_m = (sum.dq * dq_half).toRotationMatrix();
 
     const Eigen::Matrix3d J_half = RightJacobian(half_turn) * (h / 2);
@@ -99,14 +135,12 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     sum.dv_dba -= R_m * h;
     sum.dp_dsa += sum.dv_dsa * h + a_dsa * (h * h / 2);
     sum.dv_dsa += a_dsa * h;
-    const Eigen::Matrix3d J_full = RightJacobian(turn) * h;
-    const Eigen::Matrix3d R_full = dq_full.conjugate().toRotationMatrix();
-    sum.dR_dbg = R_full * sum.dR_dbg - J_full;
-    sum.dR_dsg = R_full * sum.dR_dsg - J_full * gyr.asDiagonal();
+    sum.dR_dbg = turn.R_back * sum.dR_dbg - turn.J;
+    sum.dR_dsg = turn.R_back * sum.dR_dsg - turn.J * gyr.asDiagonal();
 
     sum.dp += sum.dv * h + R_m * (f_m * (h * h / 2) - (wxf + f_slope) * (h * h * h / 12));
     sum.dv += R_m * f_m * h;
-    sum.dq = (sum.dq * dq_full).normalized();
+    sum.dq = (sum.dq * turn.dq).normalized();
 
     const double w_squared = w.squaredNorm();
     const double spread = w_slope.norm() + w_squared;
@@ -114,9 +148,8 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     sum.force_spread += spread * spread * h;
     if (is_gap_[i]) {
       const double gap = edges_[i + 1] - edges_[i];
-      const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
       const double force_error = std::min(kForceCurvature * gap * gap, kForceLimit);
-      sum.gyro_gap_variance += rate_error * rate_error * h * gap;
+      sum.gyro_gap_variance += GyroGapVariance(i, h);
       sum.accel_gap_variance += force_error * force_error * h * gap;
     }
   }

@@ -43,6 +43,14 @@ struct Preintegrated {
   double accel_gap_variance = 0.0;  // [m²/s²] that missing samples add to dv, per axis
 };
 
+// The attitude's part alone.
+struct Turned {
+  double duration = 0.0;                                   // D [s]
+  Eigen::Quaterniond dq = Eigen::Quaterniond::Identity();  // dR
+  Eigen::Matrix3d dR_dbg = Eigen::Matrix3d::Zero();
+  double gyro_gap_variance = 0.0;  // [rad²]
+};
+
 // Sums a recording between successive knots. Knots outside the recording's cells are an error.
 class Preintegrator {
  public:
@@ -59,9 +67,14 @@ class Preintegrator {
   // Over [start, end], with this gyro bias taken off. Begin() <= start < end <= End().
   Preintegrated Sum(double start, double end, const Eigen::Vector3d& gyro_bias) const;
 
+  // The same of the attitude only, several times as fast.
+  Turned Turn(double start, double end, const Eigen::Vector3d& gyro_bias) const;
+
  private:
   struct Cell;
   Cell Clip(std::size_t cell, double start, double end) const;
+  std::size_t CellAt(double time) const;
+  double GyroGapVariance(std::size_t cell, double h) const;
 
   double period_;
   std::vector<double> edges_;  // cell i lies between edges i and i+1

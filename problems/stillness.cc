@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace brachium {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kRestless = 1e9;
+constexpr double kStill = 2.0;       // of the statistic
+constexpr double kEdgeFactor = 4.0;  // of the stillest window's statistic, at the edges of a rest
+constexpr double kStillEdge = 0.1;   // an edge is still enough below it, if the sensor has no noise
+constexpr double kScaleError = 0.01;  // of an accelerometer
+constexpr double kCertainly = 3.0;    // standard deviations
 
 double Square(double x) { return x * x; }
 
@@ -79,7 +87,7 @@ Vector3d QuietestBias(const Recording& recording, const RunningMoments& rate,
   return bias;
 }
 
-double Logistic(double statistic) { return 1 / (1 + std::exp(statistic - 2)); }
+double Logistic(double statistic) { return 1 / (1 + std::exp(statistic - kStill)); }
 
 // rms per axis of the integrated rate after its straight line is taken off [rad].
 double Sway(const Recording& recording, std::size_t begin, std::size_t end, const Vector3d& mean) {
@@ -93,6 +101,13 @@ double Sway(const Recording& recording, std::size_t begin, std::size_t end, cons
   }
   const double n = static_cast<double>(end - begin);
   return std::sqrt(std::max(0.0, squares / n - (sum / n).squaredNorm()) / 3);
+}
+
+// At rest nothing but gravity is felt.
+bool ShowsGravity(const ImuNoise& noise, const Vector3d& mean_force, const Tolerances& tolerances) {
+  const double variance =
+      Square(noise.accel_bias_sigma) + Square(kScaleError * kGravity) + tolerances.force_squared;
+  return std::abs(mean_force.norm() - kGravity) < kCertainly * std::sqrt(variance);
 }
 
 RestInterval Describe(const Recording& recording, std::size_t begin, std::size_t end,
@@ -119,45 +134,107 @@ RestInterval Judge(const Recording& recording, std::size_t begin, std::size_t en
   return rest;
 }
 
+// Samples [begin, end).
+struct Run {
+  std::size_t begin = 0, end = 0;
+};
+
+class RestSearch {
+ public:
+  RestSearch(const Recording& recording, const StillnessOptions& options)
+      : recording_(recording),
+        options_(options),
+        period_(SamplingPeriod(recording)),
+        rate_(recording.gyr_S),
+        force_(recording.acc_S),
+        tolerances_(TolerancesOf(recording, rate_, force_, options)),
+        bias_(QuietestBias(recording, rate_, force_, tolerances_)),
+        statistic_(StatisticOfSamples()) {}
+
+  std::vector<RestInterval> Rests() const {
+    std::vector<RestInterval> rests;
+    for (Run run; NextRun(run);) {
+      const Run rest = Trimmed(run);
+      if (recording_.time[rest.end - 1] - recording_.time[rest.begin] >= options_.shortest_s &&
+          ShowsGravity(recording_.noise, force_.Mean(rest.begin, rest.end), tolerances_))
+        rests.push_back(Judge(recording_, rest.begin, rest.end, MeanStatistic(rest), tolerances_));
+    }
+    return rests;
+  }
+
+ private:
+  double Statistic(std::size_t begin, std::size_t end, const Vector3d& mean_force) const {
+    return rate_.Spread(begin, end, bias_) / tolerances_.rate_squared +
+           force_.Spread(begin, end, mean_force) / tolerances_.force_squared;
+  }
+
+  // A sample is as still as the stillest window that holds it.
+  std::vector<double> StatisticOfSamples() const {
+    const std::size_t n = recording_.size();
+    const auto half =
+        std::max<std::size_t>(2, static_cast<std::size_t>(options_.window_s / period_ / 2));
+    std::vector<double> statistic(n, kRestless);
+    for (std::size_t begin = 0; begin + 2 * half + 1 <= n; ++begin) {
+      const std::size_t end = begin + 2 * half + 1;
+      if (recording_.time[end - 1] - recording_.time[begin] > 2 * options_.window_s)
+        continue;  // a gap
+      const double T = Statistic(begin, end, force_.Mean(begin, end));
+      if (T > kStill) continue;
+      for (std::size_t i = begin; i < end; ++i) statistic[i] = std::min(statistic[i], T);
+    }
+    return statistic;
+  }
+
+  // The next still samples without a gap after those of `run`; false where there are none.
+  bool NextRun(Run& run) const {
+    const std::size_t n = recording_.size();
+    std::size_t begin = run.end;
+    while (begin < n && statistic_[begin] > kStill) ++begin;
+    std::size_t end = begin;
+    while (end < n && statistic_[end] <= kStill &&
+           (end == begin || recording_.time[end] - recording_.time[end - 1] < 3 * period_))
+      ++end;
+    run = {begin, end};
+    return begin < n;
+  }
+
+  // Without the movement that windows took along at the edges of a rest: each edge is about as still
+  // as the rest is at its stillest.
+  Run Trimmed(Run run) const {
+    const auto edge = std::max<std::size_t>(3, static_cast<std::size_t>(options_.edge_s / period_));
+    const Vector3d mean_force = force_.Mean(run.begin, run.end);
+    const double stillest = *std::min_element(At(run.begin), At(run.end));
+    const double tolerated = std::clamp(kEdgeFactor * stillest, kStillEdge, kStill);
+    while (run.end - run.begin > edge &&
+           Statistic(run.begin, run.begin + edge, mean_force) > tolerated)
+      ++run.begin;
+    while (run.end - run.begin > edge && Statistic(run.end - edge, run.end, mean_force) > tolerated)
+      --run.end;
+    return run;
+  }
+
+  double MeanStatistic(const Run& run) const {
+    return std::accumulate(At(run.begin), At(run.end), 0.0) /
+           static_cast<double>(run.end - run.begin);
+  }
+
+  std::vector<double>::const_iterator At(std::size_t sample) const {
+    return statistic_.begin() + static_cast<std::ptrdiff_t>(sample);
+  }
+
+  const Recording& recording_;
+  const StillnessOptions& options_;
+  double period_;
+  RunningMoments rate_, force_;
+  Tolerances tolerances_;
+  Vector3d bias_;
+  std::vector<double> statistic_;
+};
+
 }  // namespace
 
 std::vector<RestInterval> DetectRests(const Recording& recording, const StillnessOptions& options) {
-  const std::size_t n = recording.size();
-  const double period = SamplingPeriod(recording);
-  const RunningMoments rate(recording.gyr_S), force(recording.acc_S);
-  const Tolerances tolerances = TolerancesOf(recording, rate, force, options);
-  const Vector3d bias = QuietestBias(recording, rate, force, tolerances);
-  const auto half =
-      std::max<std::size_t>(2, static_cast<std::size_t>(options.window_s / period / 2));
-
-  // A sample is as still as the stillest window that holds it.
-  std::vector<double> statistic(n, 1e9);
-  for (std::size_t begin = 0; begin + 2 * half + 1 <= n; ++begin) {
-    const std::size_t end = begin + 2 * half + 1;
-    if (recording.time[end - 1] - recording.time[begin] > 2 * options.window_s) continue;  // a gap
-    const double T = rate.Spread(begin, end, bias) / tolerances.rate_squared +
-                     force.Spread(begin, end, force.Mean(begin, end)) / tolerances.force_squared;
-    if (T > 2.0) continue;
-    for (std::size_t i = begin; i < end; ++i) statistic[i] = std::min(statistic[i], T);
-  }
-
-  std::vector<RestInterval> rests;
-  for (std::size_t begin = 0; begin < n;) {
-    if (statistic[begin] > 2.0) {
-      ++begin;
-      continue;
-    }
-    std::size_t end = begin;
-    double sum = 0.0;
-    while (end < n && statistic[end] <= 2.0 &&
-           (end == begin || recording.time[end] - recording.time[end - 1] < 3 * period))
-      sum += statistic[end++];
-    if (recording.time[end - 1] - recording.time[begin] >= options.shortest_s)
-      rests.push_back(
-          Judge(recording, begin, end, sum / static_cast<double>(end - begin), tolerances));
-    begin = end;
-  }
-  return rests;
+  return RestSearch(recording, options).Rests();
 }
 
 RestInterval PartOfRest(const Recording& recording, const RestInterval& rest, double start,

@@ -12,6 +12,7 @@ namespace brachium {
 // still, or the rocking of a foot or hand that stops for a moment between fast movements.
 struct StillnessOptions {
   double window_s = 0.2;          // over which stillness is judged
+  double edge_s = 0.05;           // over which the edges of a rest are judged
   double shortest_s = 0.15;       // a rest is at least as long
   double rate_deg_s = 1.0;        // rms of the angular rate about its bias
   double force = 0.06;            // rms of the specific force about its mean [m/s²]
@@ -30,7 +31,10 @@ struct RestInterval {
 // Rests of one sensor, in order, not overlapping. The statistic over a window of samples is
 //   T = mean|w - b|²/σ_w² + mean|f - mean f|²/σ_f²,   probability 1/(1 + exp(T - 2));
 // the bias b is the mean rate of the quietest second, and zero where no second is quiet enough to
-// be told from slow motion by the sensor's own bias.
+// be told from slow motion by the sensor's own bias. Windows that are still as a whole take along
+// the movement that ends or begins in them: a rest is cut back until T over its first and last
+// `edge_s` is at most four times that of its stillest window. A rest whose mean force is not gravity
+// (by the accelerometer's bias, 1 % of scale and the tolerance) is the turning point of a movement.
 // After Skog et al., IEEE T-BME 57 (2010), who show that this generalised likelihood ratio test
 // beats either signal alone.
 std::vector<RestInterval> DetectRests(const Recording& recording, const StillnessOptions& options);

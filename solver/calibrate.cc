@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "solver/baselines/static_alignment.h"
 #include "solver/calibration_movement.h"
+#include "solver/hanging_arm.h"
 
 namespace brachium {
 namespace {
@@ -40,6 +43,17 @@ class Bench {
     return MeasureMovements(recording_, observations_.intervals, label, limits_, &result_.notes);
   }
 
+  // The same of movements that were labelled for another segment.
+  Movements Witnessed(const std::string& label) const {
+    std::vector<std::string> faults;
+    return MeasureMovements(recording_, observations_.intervals, label, limits_, &faults);
+  }
+
+  std::optional<Vector3d> UpWhileHanging() const {
+    return UpOfTheHangingArm(recording_, observations_);
+  }
+
+  void Note(const std::string& what) { result_.notes.push_back(name_ + ": " + what); }
   void Refuse(const std::string& why) { result_.faults.push_back(name_ + ": " + why); }
 
   void Add(const std::string& figure, double value) { found_.figures.push_back({figure, value}); }
@@ -52,8 +66,7 @@ class Bench {
     Add(axis + "_repetitions", mean.count);
     Add(axis + "_spread_deg", mean.spread / kDegree);
     if (mean.count == 1)
-      result_.notes.push_back(name_ + ": one repetition of " + needed +
-                              ", so nothing is known of how well it repeats");
+      Note("one repetition of " + needed + ", so nothing is known of how well it repeats");
     if (mean.worst <= limits_.largest_misfit) return true;
     Refuse("the repetitions of " + needed + " tell directions up to " + Degrees(mean.worst) +
            " from their mean: some turn the other way or about another axis");
@@ -91,6 +104,35 @@ class Bench {
   SegmentCalibration found_;
 };
 
+// Labels exchanged, or the wrong side, turn Y and X round together, which pronation and supination
+// cannot show. What can: the hanging forearm, where up is Y; and the abduction of a hanging arm whose
+// bent forearm points forward, which turns about s Y.
+bool PointsToTheElbow(Bench& bench, const MeanDirection& Y) {
+  std::vector<std::pair<std::string, double>> witnesses;
+  if (const auto up = bench.UpWhileHanging())
+    witnesses.push_back({"y_from_vertical_hanging_deg", AngleBetween(*up, Y.mean)});
+  std::vector<Vector3d> turns;
+  for (const CalibrationMovement& m : bench.Witnessed(kAbduction))
+    turns.push_back(bench.sign() * m.axis_S);
+  if (!turns.empty())
+    witnesses.push_back(
+        {"y_from_turn_of_abduction_deg", AngleBetween(Average(turns).mean, Y.mean)});
+  if (witnesses.empty())
+    bench.Note(
+        "nothing shows whether pronation and supination were exchanged or the side is wrong: tell "
+        "a "
+        "start_pose of a hanging arm, or label it calibration:static_pose");
+  for (const auto& [figure, angle] : witnesses) {
+    bench.Add(figure, angle / kDegree);
+    if (angle < 90 * kDegree) continue;
+    bench.Refuse("the direction to the elbow that " + kPronation + " and " + kSupination +
+                 " tell points to the hand (" + figure + ": " + Degrees(angle) +
+                 "): the two labels are exchanged, or the side is wrong");
+    return false;
+  }
+  return true;
+}
+
 void CalibrateForearm(Bench bench) {
   std::vector<Vector3d> along, volar;
   for (const CalibrationMovement& m : bench.Measured(kPronation)) {
@@ -103,7 +145,8 @@ void CalibrateForearm(Bench bench) {
   }
   const std::string needed = kPronation + " or " + kSupination;
   MeanDirection Y, X;
-  if (bench.Agree("y", along, needed, Y) && bench.Agree("x", volar, needed + " (palm down)", X))
+  if (bench.Agree("y", along, needed, Y) && bench.Agree("x", volar, needed + " (palm down)", X) &&
+      PointsToTheElbow(bench, Y))
     bench.Finish(Y, X);
 }
 
@@ -150,12 +193,6 @@ void CalibrateUpperArm(Bench bench) {
     bench.Finish(Y, X);
 }
 
-bool IsLabelled(const Observations& observations, const std::string& start) {
-  return std::any_of(
-      observations.intervals.begin(), observations.intervals.end(),
-      [&](const Interval& interval) { return interval.label.starts_with("calibration:" + start); });
-}
-
 std::string MovementsFor(Segment segment) {
   if (segment == Segment::kForearm) return kPronation + " and " + kSupination + " intervals";
   if (segment == Segment::kUpperArm)
@@ -181,6 +218,12 @@ void CalibrateWithoutMovements(Bench bench, const Recording& recording,
 
 }  // namespace
 
+bool HasLabelledMovements(const Observations& observations, Segment segment) {
+  const std::string start = "calibration:" + std::string(Name(segment)) + "_";
+  return std::any_of(observations.intervals.begin(), observations.intervals.end(),
+                     [&](const Interval& interval) { return interval.label.starts_with(start); });
+}
+
 bool CalibrationOptions::IsValid(std::string* why) const {
   if (!(least_turn_deg >= 10.0 && least_turn_deg < 90.0))
     return *why = "least_turn_deg must lie in [10, 90)", false;
@@ -196,7 +239,7 @@ Calibration Calibrate(const Observations& observations, const CalibrationOptions
   for (Recording& recording : unmounted.recordings) recording.mounting.reset();
   for (const Recording& recording : observations.recordings) {
     const Bench bench(recording, observations, options, result);
-    const bool labelled = IsLabelled(observations, std::string(Name(recording.segment)) + "_");
+    const bool labelled = HasLabelledMovements(observations, recording.segment);
     if (labelled && recording.segment == Segment::kForearm)
       CalibrateForearm(bench);
     else if (labelled && recording.segment == Segment::kUpperArm)

@@ -17,8 +17,11 @@
 //   checked against the turning itself; for X of the upper arm that check is part of the result.
 // Refused, with the reason: a movement that is missing, too small or about no single axis; repetitions
 //   that disagree; an arm that does not hang when the abduction starts (labels exchanged, the wrong
-//   side, the sensor upside down all show there); Y and X far from square.
-// Blind to   what repeats itself: a palm that is never quite down, soft tissue that follows the bone
+//   side, the sensor upside down all show there); a forearm whose Y points to the hand (the same of
+//   the forearm, where the trial shows the hanging arm or the abduction); Y and X far from square.
+// Blind to   exchanged labels of a forearm alone without a hanging pose: palm down and palm up differ
+//   for gravity only by how the sensor sits, which is what is sought;
+//   what repeats itself: a palm that is never quite down, soft tissue that follows the bone
 //   late. The told sigma has a floor for that; the position on the segment is not found at all.
 #pragma once
 
@@ -67,5 +70,8 @@ struct Calibration {
 // Calibrates every segment that has labelled movements; another one keeps the mounting that it has.
 // One that has neither is a fault. Angles in radians but where a name says deg.
 Calibration Calibrate(const Observations& observations, const CalibrationOptions& options);
+
+// Whether any interval is labelled as a movement of that segment.
+bool HasLabelledMovements(const Observations& observations, Segment segment);
 
 }  // namespace brachium

@@ -24,9 +24,10 @@ void SmoothBackwards(const typename InclinationFilter<kSegments>::Members& membe
     State& state = states[k];
     const State& next = states[k + 1];
     State predicted = state;
-    const typename State::Matrix F =
+    const ErrorTransition<kSegments> F =
         InclinationFilter<kSegments>::Predict(members, next.time, predicted);
-    const typename State::Matrix G = predicted.P.llt().solve(F * state.P).transpose();
+    const typename State::Matrix FP = F.TransposedAfter(state.P).transpose();
+    const typename State::Matrix G = predicted.P.llt().solve(FP).transpose();
     state.Add(G * next.Minus(predicted));
     state.P += G * (next.P - predicted.P) * G.transpose();
   }

@@ -27,8 +27,9 @@ Estimate GivenAttitudes(const std::string& method, const Observations& observati
   const bool made = std::all_of(observations.recordings.begin(), observations.recordings.end(),
                                 [](const Recording& recording) { return !recording.q_WS.empty(); });
   if (made) return MakersAttitudes(method, observations);
-  Estimate estimate = LuingeUnconstrained(options).Run(observations);
-  estimate.method = method;
+  constexpr double kHeadingSigma =
+      10 * kDegree;  // iron nearby bends the field; the gyroscope rules
+  Estimate estimate = FilterEachSegment(method, observations, options, kHeadingSigma);
   estimate.diagnostics.notes.push_back(
       "the attitudes are those of the 2005 filter (luinge_unconstrained)");
   return estimate;

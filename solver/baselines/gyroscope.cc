@@ -20,7 +20,7 @@ Estimate GyroscopeOnly::Run(const Observations& observations, const Progress&) c
     double time = tracks.start;
     for (std::size_t i = 0; i < q_WB.size(); ++i) {
       if (estimate.time[i] < tracks.start || estimate.time[i] > tracks.end) continue;
-      q = (q * track.samples.Sum(time, estimate.time[i], track.gyro_bias).dq).normalized();
+      q = (q * track.samples.Turn(time, estimate.time[i], track.gyro_bias).dq).normalized();
       time = estimate.time[i];
       q_WB[i] = q;
     }

@@ -70,11 +70,32 @@ struct FilterState {
   }
 };
 
+// The matrix F that carries errors on to a later instant: of each segment [dRᵀ, ∂dR/∂b; 0, I].
+template <int kSegments>
+struct ErrorTransition {
+  std::array<Eigen::Matrix3d, kSegments> R_back, dR_db;
+
+  // M Fᵀ
+  template <typename Matrix>
+  Matrix TransposedAfter(const Matrix& M) const {
+    Matrix product = M;
+    for (std::size_t i = 0; i < kSegments; ++i) {
+      const auto at = static_cast<Eigen::Index>(6 * i);
+      product.template middleCols<3>(at).noalias() =
+          M.template middleCols<3>(at) * R_back[i].transpose() +
+          M.template middleCols<3>(at + 3) * dR_db[i].transpose();
+    }
+    return product;
+  }
+};
+
 template <int kSegments>
 class InclinationFilter {
  public:
   using State = FilterState<kSegments>;
   using Members = std::array<const Track*, kSegments>;
+  template <int kRows>
+  using Attitudes = std::array<Eigen::Matrix<double, kRows, 3>, kSegments>;
 
   // The tracks must outlive the filter; it begins at `start` with what they know.
   InclinationFilter(const Members& members, const AccelerationModel& model, double start)
@@ -101,24 +122,25 @@ class InclinationFilter {
 
   const State& state() const { return state_; }
 
-  // Moves a state on to a later instant [s]; gives the transition F of the errors on the way.
-  static typename State::Matrix Predict(const Members& members, double time, State& state) {
-    typename State::Matrix F = State::Matrix::Zero();
+  // Moves a state on to a later instant [s]; gives the transition of the errors on the way.
+  static ErrorTransition<kSegments> Predict(const Members& members, double time, State& state) {
+    ErrorTransition<kSegments> F;
     typename State::Vector Q;
     for (std::size_t i = 0; i < kSegments; ++i) {
       const ImuNoise& noise = members[i]->recording.noise;
-      const Preintegrated sum = members[i]->samples.Sum(state.time, time, state.gyro_bias[i]);
-      state.q_WB[i] = (state.q_WB[i] * sum.dq).normalized();
+      const Turned turned = members[i]->samples.Turn(state.time, time, state.gyro_bias[i]);
+      state.q_WB[i] = (state.q_WB[i] * turned.dq).normalized();
+      F.R_back[i] = turned.dq.conjugate().toRotationMatrix();
+      F.dR_db[i] = turned.dR_dbg;
       const auto row = static_cast<Eigen::Index>(6 * i);
-      F.template block<3, 3>(row, row) = sum.dq.conjugate().toRotationMatrix();
-      F.template block<3, 3>(row, row + 3) = sum.dR_dbg;
-      F.template block<3, 3>(row + 3, row + 3).setIdentity();
-      Q.template segment<3>(row).setConstant(
-          0.5 * noise.gyro_density * noise.gyro_density * sum.duration + sum.gyro_gap_variance);
+      Q.template segment<3>(row).setConstant(0.5 * noise.gyro_density * noise.gyro_density *
+                                                 turned.duration +
+                                             turned.gyro_gap_variance);
       Q.template segment<3>(row + 3).setConstant(noise.gyro_bias_walk * noise.gyro_bias_walk *
-                                                 sum.duration);
+                                                 turned.duration);
     }
-    state.P = F * state.P * F.transpose();
+    const typename State::Matrix FP = F.TransposedAfter(state.P).transpose();
+    state.P = F.TransposedAfter(FP);
     state.P.diagonal() += Q;
     state.time = time;
     return F;
@@ -141,9 +163,9 @@ class InclinationFilter {
     Eigen::Matrix<double, 3, 2> B;
     B.col(0) = Z_G.unitOrthogonal();
     B.col(1) = Z_G.cross(B.col(0));
-    Eigen::Matrix<double, 2, State::kSize> H = Eigen::Matrix<double, 2, State::kSize>::Zero();
-    const auto row = static_cast<Eigen::Index>(6 * segment);
-    H.template middleCols<3>(row) = B.transpose() * Skew<double>(Z_G);
+    Attitudes<2> H;
+    H.fill(Eigen::Matrix<double, 2, 3>::Zero());
+    H[segment] = B.transpose() * Skew<double>(Z_G);
     const Eigen::Matrix<double, 3, 2> B_W = R * B;
     const Eigen::Matrix2d noise =
         (B_W.transpose() * a.P_W * B_W + s_squared * Eigen::Matrix2d::Identity()) /
@@ -154,21 +176,42 @@ class InclinationFilter {
     const Eigen::Matrix3d tilt =
         kGravity * R_WB * Skew<double>(Eigen::Vector3d(R_WB.row(2).transpose()));
     a.value_W = R_WB * y - kGravity * Eigen::Vector3d::UnitZ();
+    const auto row = static_cast<Eigen::Index>(6 * segment);
     a.P_W = tilt * state_.P.template block<3, 3>(row, row) * tilt.transpose() +
             s_squared * Eigen::Matrix3d::Identity();
   }
 
-  // z = H error + noise. Joseph's form, written out: P - KHP - (KHP)ᵀ + K S Kᵀ.
+  // A magnetometer's sample m: the field keeps the heading of `north_W`, a horizontal direction,
+  //   δ = angle from R m to north about e_z = e_zᵀ R θ + n.
+  void MeasureHeading(std::size_t segment, const Eigen::Vector3d& mag_B,
+                      const Eigen::Vector2d& north_W, double sigma) {
+    const Eigen::Matrix3d R = state_.q_WB[segment].toRotationMatrix();
+    const Eigen::Vector2d m = (R * mag_B).head<2>();
+    const double delta = std::atan2(m.x() * north_W.y() - m.y() * north_W.x(), m.dot(north_W));
+    if (!std::isfinite(delta)) return;
+    Attitudes<1> H;
+    H.fill(Eigen::RowVector3d::Zero());
+    H[segment] = R.row(2);
+    Correct<1>(Eigen::Matrix<double, 1, 1>(delta), H, Eigen::Matrix<double, 1, 1>(sigma * sigma));
+  }
+
+  // z = Σ H_i θ_i + noise. With S = L Lᵀ and G = P Hᵀ L⁻ᵀ, P - K S Kᵀ is P - G Gᵀ: symmetric as
+  // Joseph's form is, and equal to it at this gain.
   template <int kRows>
-  void Correct(const Eigen::Matrix<double, kRows, 1>& z,
-               const Eigen::Matrix<double, kRows, State::kSize>& H,
+  void Correct(const Eigen::Matrix<double, kRows, 1>& z, const Attitudes<kRows>& H,
                const Eigen::Matrix<double, kRows, kRows>& noise) {
-    const Eigen::Matrix<double, kRows, State::kSize> HP = H * state_.P;
-    const Eigen::Matrix<double, kRows, kRows> S = HP * H.transpose() + noise;
-    const Eigen::Matrix<double, State::kSize, kRows> K = S.llt().solve(HP).transpose();
-    const typename State::Matrix KHP = K * HP;
-    state_.P += K * S * K.transpose() - KHP - KHP.transpose();
-    state_.Add(K * z);
+    Eigen::Matrix<double, State::kSize, kRows> PHt =
+        state_.P.template leftCols<3>() * H[0].transpose();
+    for (std::size_t i = 1; i < kSegments; ++i)
+      PHt += state_.P.template middleCols<3>(static_cast<Eigen::Index>(6 * i)) * H[i].transpose();
+    Eigen::Matrix<double, kRows, kRows> S = noise;
+    for (std::size_t i = 0; i < kSegments; ++i)
+      S += H[i] * PHt.template middleRows<3>(static_cast<Eigen::Index>(6 * i));
+    const Eigen::LLT<Eigen::Matrix<double, kRows, kRows>> L(S);
+    const Eigen::Matrix<double, State::kSize, kRows> G =
+        L.matrixL().solve(PHt.transpose()).transpose();
+    state_.P.noalias() -= G.lazyProduct(G.transpose());
+    state_.Add(G * L.matrixL().solve(z));
   }
 
  private:

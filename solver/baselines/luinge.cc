@@ -49,9 +49,8 @@ void Write(const Members<kSegments>& members, const FilterState<kSegments>& stat
 void MeasureAdduction(const Expectation& expected, InclinationFilter<2>& filter) {
   const auto& [q_WF, q_WU] = filter.state().q_WB;
   const PredictedAdduction predicted = PredictAdduction(q_WF, q_WU);
-  Eigen::Matrix<double, 1, 12> H = Eigen::Matrix<double, 1, 12>::Zero();
-  H.segment<3>(0) = predicted.H_W.head<3>() * q_WF.toRotationMatrix();
-  H.segment<3>(6) = predicted.H_W.tail<3>() * q_WU.toRotationMatrix();
+  const InclinationFilter<2>::Attitudes<1> H{predicted.H_W.head<3>() * q_WF.toRotationMatrix(),
+                                             predicted.H_W.tail<3>() * q_WU.toRotationMatrix()};
   filter.Correct<1>(Eigen::Matrix<double, 1, 1>(predicted.sine - expected.sine), H,
                     Eigen::Matrix<double, 1, 1>(expected.variance));
 }
@@ -96,6 +95,23 @@ constexpr auto kNothingMore = [](const auto&, auto&) {};
 void FilterAlone(const Track& track, const AccelerationModel& model, const Tracks& tracks,
                  bool smooths, Estimate& estimate) {
   FilterSegments<1>({&track}, model, tracks, smooths, kNothingMore, estimate);
+}
+
+// The heading of the field in W, where every segment has a magnetometer.
+std::optional<Eigen::Vector2d> NorthOf(const Tracks& tracks) {
+  for (const Track& track : tracks.segments)
+    if (track.recording.mag_S.size() != track.recording.size()) return std::nullopt;
+  const Track& first = tracks.segments.front();
+  for (std::size_t i = 0; i < first.recording.size(); ++i) {
+    const double time = first.recording.time[i];
+    if (time < tracks.start || !first.recording.mag_S[i].allFinite()) continue;
+    const Eigen::Quaterniond q_WB =
+        time > tracks.start
+            ? first.q_WB * first.samples.Turn(tracks.start, time, first.gyro_bias).dq
+            : first.q_WB;
+    return (q_WB * first.recording.mag_S[i]).head<2>();
+  }
+  return std::nullopt;
 }
 
 void FilterArm(const Tracks& tracks, const AccelerationModel& model, const Expectation& expected,
@@ -149,16 +165,32 @@ bool LuingeUnconstrained::Accepts(const Observations& observations, std::string*
   return IsWholeChain(observations, why);
 }
 
-Estimate LuingeUnconstrained::Run(const Observations& observations, const Progress&) const {
+Estimate FilterEachSegment(const std::string& method, const Observations& observations,
+                           const LuingeUnconstrainedOptions& options,
+                           std::optional<double> heading_sigma) {
   StageClock clock;
   const Tracks tracks = StartTracks(observations);
-  Estimate estimate = BlankEstimate("luinge_unconstrained", observations, tracks);
+  Estimate estimate = BlankEstimate(method, observations, tracks);
   AddDeviations(tracks, estimate);
   estimate.timing.push_back({"start", clock.Lap()});
+  const std::optional<Eigen::Vector2d> north =
+      heading_sigma ? NorthOf(tracks) : std::optional<Eigen::Vector2d>{};
+  if (north) estimate.diagnostics.notes.push_back("the headings are the magnetometers'");
   for (const Track& track : tracks.segments)
-    FilterAlone(track, ModelOf(options_), tracks, false, estimate);
+    FilterSegments<1>(
+        {&track}, ModelOf(options), tracks, false,
+        [&](const Instant<1>& instant, InclinationFilter<1>& filter) {
+          if (!north || instant.samples[0] == kNoSample) return;
+          const auto sample = static_cast<std::size_t>(instant.samples[0]);
+          filter.MeasureHeading(0, track.recording.mag_S[sample], *north, *heading_sigma);
+        },
+        estimate);
   estimate.timing.push_back({"filter", clock.Lap()});
   return estimate;
+}
+
+Estimate LuingeUnconstrained::Run(const Observations& observations, const Progress&) const {
+  return FilterEachSegment("luinge_unconstrained", observations, options_, std::nullopt);
 }
 
 bool Luinge::Accepts(const Observations& observations, std::string* why) const {

@@ -15,6 +15,7 @@
 // Start and gyro bias: tracks.h.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "solver/estimator.h"
@@ -78,6 +79,13 @@ class Luinge final : public Estimator {
   LuingeOptions options_;
   bool smooths_;
 };
+
+// The attitudes of every segment from a filter of its own. With a heading's sd [rad], and where every
+// recording has a magnetometer, the heading of the field (north, that of the first segment's first
+// sample) is measured besides.
+Estimate FilterEachSegment(const std::string& method, const Observations& observations,
+                           const LuingeUnconstrainedOptions& options,
+                           std::optional<double> heading_sigma);
 
 // Whether the arm has the elbow that these methods lean on; if not, `why` names the way out.
 bool HasHingedElbow(const Observations& observations, std::string* why);

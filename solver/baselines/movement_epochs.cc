@@ -39,12 +39,17 @@ std::size_t Reach(const std::vector<bool>& moves, std::size_t from, int step) {
   return static_cast<std::size_t>(reached);
 }
 
-Interval LongestRest(const Tracks& tracks, Segment segment) {
-  Interval longest;
+std::vector<Interval> RestsOf(const Tracks& tracks, Segment segment) {
+  std::vector<Interval> rests;
   for (const Rest& rest : tracks.rests)
-    if (rest.segment == segment && rest.end - rest.start > longest.end - longest.start)
-      longest = {"rest", rest.start, rest.end};
-  return longest;
+    if (rest.segment == segment) rests.push_back({"rest", rest.start, rest.end});
+  return rests;
+}
+
+bool IsWithin(const std::vector<Interval>& intervals, const Frame& frame) {
+  return std::any_of(intervals.begin(), intervals.end(), [&](const Interval& interval) {
+    return frame.start >= interval.start && frame.end <= interval.end;
+  });
 }
 
 }  // namespace
@@ -75,10 +80,11 @@ std::vector<Frame> FramesOf(const Recording& recording, const Vector3d& gyro_bia
 }
 
 EpochThresholds ThresholdsFor(const std::vector<Frame>& frames, const ImuNoise& noise,
-                              double period, const Interval& rest, const EpochOptions& options) {
+                              double period, const std::vector<Interval>& rests,
+                              const EpochOptions& options) {
   double energy = 0.0, crossings = 0.0, count = 0.0;
   for (const Frame& frame : frames) {
-    if (frame.start < rest.start || frame.end > rest.end) continue;
+    if (!IsWithin(rests, frame)) continue;
     energy += frame.energy;
     crossings += frame.crossings;
     ++count;
@@ -119,7 +125,7 @@ std::vector<Epoch> DetectEpochs(const Tracks& tracks, const Track& track,
   const Segment segment = track.recording.segment;
   const std::vector<Frame> frames = FramesOf(track.recording, track.gyro_bias);
   const EpochThresholds thresholds = ThresholdsFor(
-      frames, track.recording.noise, track.samples.Period(), LongestRest(tracks, segment), options);
+      frames, track.recording.noise, track.samples.Period(), RestsOf(tracks, segment), options);
   std::vector<Epoch> epochs;
   for (const auto& [first, last] : FindEpochs(frames, thresholds))
     epochs.push_back({segment, frames[first].start,

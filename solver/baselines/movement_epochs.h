@@ -10,8 +10,9 @@
 //
 // Errata: (7) and (8) take s as the norm of the rate, which never crosses zero, and which a bias
 //   keeps above any threshold: each axis and less its bias here.
-// T1, T2, T3 were set by trial and error. Ours come from the longest rest: E there, scaled. Sure: T1
-// = 100 E, may: T2 = 10 E with E the mean over the rest's frames, at least that of white noise at the
+// T1, T2, T3 were set by trial and error. Ours come from the rests, of which those between movements
+// are the less quiet: E there, scaled. Sure: T1
+// = 100 E, may: T2 = 10 E with E the mean over the rests' frames, at least that of white noise at the
 // sensor's density; T3 = the mean of Z there, at least what half as many crossings as white noise
 // makes would be (3 of 6).
 #pragma once
@@ -50,22 +51,23 @@ struct EpochOptions {
   static void Visit(Options& options, Visitor&& visit) {
     visit("bai_energy_high", options.bai_energy_high,
           "T1: energy of four samples of angular rate above which the sensor is sure to move "
-          "[rad^2/s^2]; 0: from the longest rest.");
+          "[rad^2/s^2]; 0: from the rests.");
     visit("bai_energy_low", options.bai_energy_low,
           "T2: energy down to which a movement reaches, less than T1 [rad^2/s^2]; 0: from the "
-          "longest rest. Less makes movements longer and rests shorter.");
+          "rests. Less makes movements longer and rests shorter.");
     visit("bai_crossings", options.bai_crossings,
           "T3: zero crossings of four samples, three axes, above which low energy is noise; 0: "
-          "from the longest rest.");
+          "from the rests.");
   }
 };
 
 // Whole frames only: up to three samples at the end are left over.
 std::vector<Frame> FramesOf(const Recording& recording, const Eigen::Vector3d& gyro_bias);
 
-// `rest` as an interval of time; without one, from the sensor's noise alone.
+// `rests` as intervals of time; without any, from the sensor's noise alone.
 EpochThresholds ThresholdsFor(const std::vector<Frame>& frames, const ImuNoise& noise,
-                              double period, const Interval& rest, const EpochOptions& options);
+                              double period, const std::vector<Interval>& rests,
+                              const EpochOptions& options);
 
 // Epochs as pairs of frames, first and last, in order.
 std::vector<std::pair<std::size_t, std::size_t>> FindEpochs(const std::vector<Frame>& frames,

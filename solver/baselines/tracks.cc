@@ -29,6 +29,7 @@ Recording InSegmentAxes(const Recording& recording) {
   const Eigen::Matrix3d R_BS = MountingOf(recording).toRotationMatrix();
   for (Vector3d& gyr : turned.gyr_S) gyr = R_BS * gyr;
   for (Vector3d& acc : turned.acc_S) acc = R_BS * acc;
+  for (Vector3d& mag : turned.mag_S) mag = R_BS * mag;
   return turned;
 }
 
@@ -70,7 +71,7 @@ void SetInclination(Track& track, double start, double end) {
 
 Quaterniond AttitudeAt(const Track& track, double start, double time) {
   if (time <= start) return track.q_WB;
-  return track.q_WB * track.samples.Sum(start, time, track.gyro_bias).dq;
+  return track.q_WB * track.samples.Turn(start, time, track.gyro_bias).dq;
 }
 
 // Turns the forearm about the vertical until the elbow is nearest to the told pose.

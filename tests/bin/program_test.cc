@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -196,6 +197,49 @@ TEST_F(Program, CalibratesATrialThatCanThenBeReconstructed) {
   const Outcome again =
       Run({"calibrate", "--trial=" + calibrated, "--output=" + calibrated + "/trial.json"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(Program, CalibratesTheClustersOfAReferenceSoThatJointAnglesCanBeCompared) {
+  const std::string trial = Path("clusters"), calibrated = Path("calibrated");
+  ASSERT_EQ(Run({"simulate", "--scenario=calibration", "--output=" + trial}).exit_code, 0);
+  json description = ReadJson(trial + "/trial.json");
+  description["reference"]["frames"] = "cluster";
+  Write("clusters/trial.json", description.dump());
+  const Outcome outcome =
+      Run({"calibrate", "--trial=" + trial, "--output=" + calibrated + "/trial.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("q_BC_wxyz"));
+  const json clusters = ReadJson(calibrated + "/trial.json")["reference"]["clusters"];
+  // Here they sit on their segments unturned.
+  EXPECT_GT(std::abs(clusters["forearm"]["q_BC_wxyz"][0].get<double>()), std::cos(0.01));
+  EXPECT_GT(std::abs(clusters["upper_arm"]["q_BC_wxyz"][0].get<double>()), std::cos(0.01));
+
+  ASSERT_EQ(Reconstruct(calibrated, Path("estimate"), {"--method=luinge"}).exit_code, 0);
+  const auto evaluated = [&](const std::string& folder) {
+    const Outcome evaluation =
+        Run({"evaluate", "--trial=" + folder, "--estimate=" + Path("estimate"), "--overwrite"});
+    EXPECT_EQ(evaluation.exit_code, 0) << evaluation.err;
+    return evaluation.out;
+  };
+  EXPECT_THAT(evaluated(calibrated), HasSubstr("elbow_flexion"));
+  EXPECT_THAT(evaluated(trial), Not(HasSubstr("elbow_flexion")));
+}
+
+TEST_F(Program, EveryPresetNamesAMethodAndItsSettings) {
+  const std::string trial = Simulate();
+  int count = 0;
+  for (const auto& preset :
+       std::filesystem::directory_iterator(BRACHIUM_SOURCE_DIR "/bin/presets")) {
+    const std::string estimate = Path(preset.path().stem().string());
+    const Outcome outcome = Reconstruct(trial, estimate, {"--flagfile=" + preset.path().string()});
+    EXPECT_EQ(outcome.exit_code, 0) << preset.path() << outcome.err;
+    EXPECT_THAT(
+        ReadText(preset.path()),
+        HasSubstr("--method=" + ReadJson(estimate + "/summary.json")["method"].get<std::string>() +
+                  "\n"));
+    ++count;
+  }
+  EXPECT_GE(count, 6);
 }
 
 TEST_F(Program, SaysWhatIsMissingWhereNothingCanBeCalibrated) {

@@ -67,6 +67,34 @@ TEST(Reference, TakesEmptyCellsForGaps) {
   EXPECT_TRUE(reference.p_V.at("hand")[1].array().isNaN().all());
 }
 
+constexpr const char* kTwoClusters =
+    "time_s,upper_arm_qw,upper_arm_qx,upper_arm_qy,upper_arm_qz,"
+    "forearm_qw,forearm_qx,forearm_qy,forearm_qz\n"
+    "0,0.6,0.8,0,0,1,0,0,0\n0.1,0.6,0.8,0,0,,,,\n";
+
+TEST(Reference, TurnsClustersThatAreKnownToTheirSegments) {
+  ReferenceEntry entry;
+  entry.frames = Reference::Frames::kCluster;
+  entry.q_BC = {{Segment::kUpperArm, Eigen::Quaterniond(0.6, 0.8, 0.0, 0.0)},
+                {Segment::kForearm, Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0)}};
+  const Reference reference = Parse(kTwoClusters, entry).reference;
+  EXPECT_EQ(reference.frames, Reference::Frames::kSegment);
+  EXPECT_NEAR(reference.q_VB.at(Segment::kUpperArm)[0].w(), 1.0, 1e-12);
+  EXPECT_NEAR(reference.q_VB.at(Segment::kForearm)[0].y(), -1.0, 1e-12);
+  EXPECT_TRUE(reference.q_VB.at(Segment::kForearm)[1].coeffs().hasNaN());
+}
+
+TEST(Reference, StaysOneOfClustersWhereNotAllAreKnown) {
+  ReferenceEntry entry;
+  entry.frames = Reference::Frames::kCluster;
+  entry.q_BC = {{Segment::kForearm, Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0)}};
+  Findings findings;
+  const Reference reference = Parse(kTwoClusters, entry, &findings).reference;
+  EXPECT_EQ(reference.frames, Reference::Frames::kCluster);
+  EXPECT_EQ(reference.q_VB.at(Segment::kForearm)[0].w(), 1.0);
+  EXPECT_THAT(findings.warnings, Contains(HasSubstr("clusters lacks upper_arm")));
+}
+
 TEST(Reference, TurnsAVerticalYUp) {
   ReferenceEntry entry;
   entry.up_is_y = true;

@@ -206,6 +206,20 @@ TEST(Preintegrator, SharesTheDoubtOfAGapAmongTheIntervalsThatCutIt) {
               1e-9 * both.accel_gap_variance);
 }
 
+TEST(Preintegrator, TurnsAsItSums) {
+  Recording recording = Even(SwayingSensor(0.7), 100.0, 1.0);
+  Lose(recording, 50, 4);
+  const Preintegrator samples(recording);
+  const Vector3d bias(0.02, -0.01, 0.03);
+  const auto sum = samples.Sum(0.4, 0.713, bias);
+  const Turned turned = samples.Turn(0.4, 0.713, bias);
+  EXPECT_EQ(turned.duration, sum.duration);
+  EXPECT_LT(turned.dq.angularDistance(sum.dq), 1e-12);
+  EXPECT_LT((turned.dR_dbg - sum.dR_dbg).norm(), 1e-12);
+  EXPECT_EQ(turned.gyro_gap_variance, sum.gyro_gap_variance);
+  EXPECT_GT(turned.gyro_gap_variance, 0.0);
+}
+
 TEST(Preintegrator, IsSureOfARecordingWithoutGaps) {
   std::vector<double> times = EvenTimes(0.005, 0.01, 100);
   times[40] += 0.004;  // late, not lost

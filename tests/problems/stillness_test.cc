@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -78,6 +79,44 @@ TEST(DetectRests, IsAsSureOfASensorWithABiasAsOfOneWithout) {
     ASSERT_EQ(rests.size(), 1u);
     EXPECT_GT(rests[0].probability, 0.85);
   }
+}
+
+// Turns from rest by a smooth step of 60 deg in 0.8 s, which begins at 3 s.
+Signal SmoothStart() {
+  return [](double t) -> Vector3d {
+    const double x = std::clamp((t - 3.0) / 0.8, 0.0, 1.0);
+    return 60.0 / 0.8 * 30.0 * x * x * (1 - x) * (1 - x) * Vector3d::UnitY();
+  };
+}
+
+TEST(DetectRests, EndsARestWhereAMovementBegins) {
+  const auto rests = DetectRests(Signals(SmoothStart(), Zero, 3.8), {});
+  ASSERT_EQ(rests.size(), 1u);
+  EXPECT_NEAR(rests[0].end, 3.0, 0.03);
+  EXPECT_LT(rests[0].mean_rate.norm(), 0.01 * kDegree);
+}
+
+TEST(DetectRests, KeepsTheRestOfASensorWithoutNoise) {
+  Recording recording = Signals(SmoothStart(), Zero, 3.8);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    recording.gyr_S[i] = kDegree * SmoothStart()(recording.time[i]);
+    recording.acc_S[i] = kUp_S;
+  }
+  const auto rests = DetectRests(recording, {});
+  ASSERT_EQ(rests.size(), 1u);
+  EXPECT_NEAR(rests[0].end, 3.0, 0.03);
+}
+
+TEST(DetectRests, TakesNoTurningPointOfAMovementForARest) {
+  const auto force_at_the_turn = [](double acceleration) {
+    return Signals(
+        [](double t) -> Vector3d {
+          return std::abs(t - 3.0) < 0.2 ? Vector3d::Zero() : Vector3d(90, 40, 0);
+        },
+        [=](double) -> Vector3d { return acceleration * kUp_S.normalized(); }, 6.0);
+  };
+  EXPECT_EQ(DetectRests(force_at_the_turn(0.0), {}).size(), 1u);
+  EXPECT_EQ(DetectRests(force_at_the_turn(0.8), {}).size(), 0u);
 }
 
 TEST(DetectRests, FindsNothingWhereTheSensorTurnsSlowlyAndIsPushedGently) {

@@ -7,6 +7,7 @@
 
 #include "problems/joint_angles.h"
 #include "problems/simulation/mirror.h"
+#include "solver/calibration_movement.h"
 #include "tests/support/simulated_trial.h"
 
 namespace brachium {
@@ -92,6 +93,22 @@ TEST(Calibrate, TellsHowManyRepetitionsAgreedAndHowWell) {
   }
 }
 
+TEST(Calibrate, TurnsTheFrameOfAnUpperArmRoundWherePrintedFiveIsFollowed) {
+  const SimulatedTrial simulated = Uncalibrated(Side::kRight);
+  const Observations& observations = simulated.trial.observations;
+  const Recording& recording = observations.recordings[0];
+  ASSERT_EQ(recording.segment, Segment::kUpperArm);
+  std::vector<std::string> faults;
+  const auto abduction =
+      MeasureMovements(recording, observations.intervals, "calibration:upper_arm_abduction",
+                       {30 * kDegree, 25 * kDegree}, &faults)
+          .front();
+  const auto& q = simulated.True("upper_arm.q_BS_wxyz");
+  const Vector3d dorsal_S = -(Quaterniond(q[0], q[1], q[2], q[3]).conjugate() * Vector3d::UnitX());
+  const Vector3d printed_S = abduction.up_before_S.cross(abduction.up_after_S).normalized();
+  EXPECT_LT(AngleBetween(-printed_S, dorsal_S), 2 * kDegree);
+}
+
 TEST(Calibrate, UsesWhatThereIsOfTwoDirectionsOfAMovement) {
   SimulatedTrial simulated = Uncalibrated(Side::kLeft);
   Forget("supination", simulated.trial.observations);
@@ -140,6 +157,46 @@ TEST(Calibrate, RefusesLabelsThatAreExchangedAndTheWrongSide) {
   Relabel("upper_arm_exorotation", "upper_arm_endorotation", exchanged);
   Relabel("other", "upper_arm_exorotation", exchanged);
   EXPECT_THAT(Calibrated(exchanged).faults, Contains(HasSubstr("exchanged")));
+}
+
+// A trial of which only the forearm is to be calibrated, its two labels exchanged.
+Observations ForearmWithExchangedLabels(Side side) {
+  Observations observations = Uncalibrated(side).trial.observations;
+  observations.recordings.erase(observations.recordings.begin());
+  Relabel("forearm_pronation", "other", observations);
+  Relabel("forearm_supination", "forearm_pronation", observations);
+  Relabel("other", "forearm_supination", observations);
+  return observations;
+}
+
+TEST(Calibrate, RefusesAForearmWithExchangedLabelsWhereTheHangingArmShowsIt) {
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    Observations posed = ForearmWithExchangedLabels(side);
+    Forget("upper_arm", posed);
+    EXPECT_THAT(Calibrated(posed).faults, ElementsAre(HasSubstr("exchanged")));
+    ASSERT_TRUE(posed.start_pose);
+    Forget("static_pose", posed);
+    EXPECT_THAT(Calibrated(posed).faults, ElementsAre(HasSubstr("exchanged")));
+  }
+}
+
+TEST(Calibrate, RefusesAForearmWithExchangedLabelsWhereTheAbductionShowsIt) {
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    Observations observations = ForearmWithExchangedLabels(side);
+    Forget("static_pose", observations);
+    observations.start_pose.reset();
+    EXPECT_THAT(Calibrated(observations).faults, ElementsAre(HasSubstr("exchanged")));
+  }
+}
+
+TEST(Calibrate, SaysThatNothingShowsExchangedLabelsOfAForearmAlone) {
+  Observations observations = ForearmWithExchangedLabels(Side::kRight);
+  Forget("static_pose", observations);
+  Forget("upper_arm", observations);
+  observations.start_pose.reset();
+  const Calibration calibration = Calibrated(observations);
+  EXPECT_THAT(calibration.faults, IsEmpty());
+  EXPECT_THAT(calibration.notes, ElementsAre(HasSubstr("nothing shows")));
 }
 
 TEST(Calibrate, RefusesRepetitionsThatTurnBothWays) {

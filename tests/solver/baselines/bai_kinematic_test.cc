@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "problems/evaluation.h"
+#include "problems/joint_angles.h"
 #include "tests/support/longer_chain.h"
 #include "tests/support/simulated_trial.h"
 
@@ -48,6 +51,45 @@ TEST(BaiKinematic, OrientsRawRecordingsByTheFilterOf2005) {
             filtered.q_WB.at(Segment::kForearm)[500].coeffs());
   EXPECT_THAT(estimate.diagnostics.notes, Contains(HasSubstr("2005")));
   EXPECT_LT(WorstError("wrist", estimate, *trial.reference), 0.05);
+}
+
+// A field of 60 deg dip, read without error.
+void TellMagnetometers(Trial& trial) {
+  const Vector3d field(0.5, 0.0, -0.87);
+  for (Recording& recording : trial.observations.recordings)
+    for (const auto& q_VB : trial.reference->q_VB.at(recording.segment))
+      recording.mag_S.push_back((q_VB * recording.mounting->q_BS).conjugate() * field);
+}
+
+TEST(BaiKinematic, KeepsTheHeadingsOfRawRecordingsByTheirMagnetometers) {
+  Trial trial = Simulate(MakeScenario(StillShoulder(Side::kRight)), NoErrors()).trial;
+  trial.observations.start_pose.reset();
+  const double blind = RelativeError(BaiKinematic({}).Run(trial.observations), *trial.reference);
+  TellMagnetometers(trial);
+  const Estimate estimate = BaiKinematic({}).Run(trial.observations);
+  EXPECT_THAT(estimate.diagnostics.notes, Contains(HasSubstr("magnetometers")));
+  EXPECT_GT(blind, 10 * kDegree);
+  EXPECT_LT(RelativeError(estimate, *trial.reference), 2 * kDegree);
+}
+
+TEST(BaiKinematic, DoesWithoutMagnetometersThatNotAllSensorsHave) {
+  Trial trial = Simulate(MakeScenario(StillShoulder(Side::kRight)), NoErrors()).trial;
+  const Estimate without = BaiKinematic({}).Run(trial.observations);
+  TellMagnetometers(trial);
+  trial.observations.recordings[1].mag_S.clear();
+  EXPECT_EQ(BaiKinematic({}).Run(trial.observations).q_WB.at(Segment::kForearm)[500].coeffs(),
+            without.q_WB.at(Segment::kForearm)[500].coeffs());
+}
+
+TEST(BaiKinematic, ReadsTheElevationWhereThePaperReadsTheAbduction) {
+  const double raised = 60 * kDegree;
+  const Eigen::AngleAxisd hanging(90 * kDegree, Vector3d::UnitX());  // y up, x forward, z right
+  for (const Vector3d& axis_W : {Vector3d(0, -1, 0), Vector3d(-1, 0, 0)}) {  // flexion, abduction
+    const Quaterniond q_WU(Eigen::AngleAxisd(raised, axis_W) * hanging);
+    const double pitch = std::asin(-(q_WU * Vector3d::UnitY()).z());
+    EXPECT_NEAR(pitch + 90 * kDegree, raised, 1e-12);
+    EXPECT_NEAR(ShoulderElevation(q_WU), raised, 1e-12);
+  }
 }
 
 TEST(BaiKinematic, AddsTheHandToTheEndOfTheChain) {

@@ -101,12 +101,12 @@ TEST(Epochs, OfASimulatedArmLieBetweenItsRests) {
 
 TEST(Epochs, TakeTheThresholdsThatAreTold) {
   const auto frames = Frames({0.1, 0.1, 0.1});
-  const Interval rest{"rest", 0.0, 1.0};
-  const auto told = ThresholdsFor(frames, {}, 0.01, rest, {7.0, 3.0, 5.0});
+  const std::vector<Interval> rests{{"rest", 0.0, 0.4}, {"rest", 0.5, 1.0}};
+  const auto told = ThresholdsFor(frames, {}, 0.01, rests, {7.0, 3.0, 5.0});
   EXPECT_EQ(told.sure, 7.0);
   EXPECT_EQ(told.may, 3.0);
   EXPECT_EQ(told.crossings, 5.0);
-  const auto found = ThresholdsFor(frames, {}, 0.01, rest, {});
+  const auto found = ThresholdsFor(frames, {}, 0.01, rests, {});
   EXPECT_NEAR(found.sure, 10.0, 1e-9);
   EXPECT_NEAR(found.may, 1.0, 1e-9);
 }
