@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <list>
 #include <string_view>
 
@@ -16,8 +15,6 @@
 
 namespace brachium {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Of a rotation's error about each axis of its segment.
 constexpr std::array kDeviations = {"_rx_sd_deg", "_ry_sd_deg", "_rz_sd_deg"};
@@ -83,24 +80,10 @@ class Table {
     std::set<Segment> known;
     for (const auto& [segment, q_WB] : estimate_.q_WB) known.insert(segment);
     for (const ArmAngle& angle : ArmAngles(known, estimate_.side)) {
-      AddDegrees(angle.name + "_deg", Read(angle));
+      AddDegrees(angle.name + "_deg", SeriesOf(angle, estimate_.q_WB));
       AddAngleDeviation(angle.name);
     }
     AddAngleDeviation("relative_heading");
-  }
-
-  // By row; a row whose rotations are a gap gets none.
-  std::vector<double> Read(const ArmAngle& angle) const {
-    const Rotations& q_WB = estimate_.q_WB.at(angle.distal);
-    std::vector<double> angles;
-    angles.reserve(q_WB.size());
-    for (std::size_t row = 0; row < q_WB.size(); ++row) {
-      const Eigen::Quaterniond q_AB =
-          angle.proximal ? estimate_.q_WB.at(*angle.proximal)[row].conjugate() * q_WB[row]
-                         : q_WB[row];
-      angles.push_back(q_AB.coeffs().allFinite() ? angle.of(q_AB) : kNaN);
-    }
-    return angles;
   }
 
   void AddAngleDeviation(const std::string& name) {

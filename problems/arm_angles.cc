@@ -49,4 +49,24 @@ std::vector<ArmAngle> ArmAngles(const std::set<Segment>& known, Side side) {
   return angles;
 }
 
+std::vector<double> SeriesOf(const ArmAngle& angle, const Attitudes& q_WB) {
+  const std::vector<Quaterniond>& distal = q_WB.at(angle.distal);
+  std::vector<double> series;
+  series.reserve(distal.size());
+  for (std::size_t i = 0; i < distal.size(); ++i) {
+    const Quaterniond q_AB =
+        angle.proximal ? q_WB.at(*angle.proximal)[i].conjugate() * distal[i] : distal[i];
+    series.push_back(q_AB.coeffs().allFinite() ? angle.of(q_AB) : kNaN);
+  }
+  return series;
+}
+
+std::map<std::string, std::vector<double>> JointAngleSeries(const Attitudes& q_WB, Side side) {
+  std::set<Segment> known;
+  for (const auto& [segment, attitudes] : q_WB) known.insert(segment);
+  std::map<std::string, std::vector<double>> series;
+  for (const ArmAngle& angle : ArmAngles(known, side)) series[angle.name] = SeriesOf(angle, q_WB);
+  return series;
+}
+
 }  // namespace brachium

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,5 +23,13 @@ struct ArmAngle {
 
 // Of the segments whose attitudes are known. Without a thorax the shoulder has but its elevation.
 std::vector<ArmAngle> ArmAngles(const std::set<Segment>& known, Side side);
+
+using Attitudes = std::map<Segment, std::vector<Eigen::Quaterniond>>;  // all equally long
+
+// One angle over time [rad]; NaN where an attitude is unknown or there is no such angle.
+std::vector<double> SeriesOf(const ArmAngle& angle, const Attitudes& q_WB);
+
+// All angles that the segments tell, by name.
+std::map<std::string, std::vector<double>> JointAngleSeries(const Attitudes& q_WB, Side side);
 
 }  // namespace brachium

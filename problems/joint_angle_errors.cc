@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/joint_angle_series.h"
+#include "problems/arm_angles.h"
 
 namespace brachium {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "problems/arm_model.h"
-#include "problems/joint_angle_series.h"
+#include "problems/arm_angles.h"
 #include "problems/rotation.h"
 #include "problems/sampling.h"
 #include "problems/smoothness.h"
