@@ -25,6 +25,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kGaugeSigma = 1e-4;         // of the first place [m]
+constexpr double kLostAttitude = 2.0;        // by the longest gap: more than that is a turn [rad]
 constexpr double kStartVelocitySigma = 2.0;  // a person may walk into a trial [m/s]
 constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
 
@@ -86,7 +87,7 @@ void ArmProblem::AddGyroscope(int knot, int sensor) {
   const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
                           2 * options_.unmodelled_correlation_s * Square(options_.gyro_cross_axis) *
                               interval.rate_squared +
-                          interval.gyro_gap_variance;
+                          std::min(interval.gyro_gap_variance, Square(kLostAttitude));
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   Add(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance)),

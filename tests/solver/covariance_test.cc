@@ -68,12 +68,9 @@ TEST(Certainty, GrowsWithTheLengthOfATrial) {
 }
 
 TEST(Certainty, NamesWhatTheInformationDoesNotDetermine) {
-  const ArmProblem problem(CutAt(4.0), {}, 0.1);  // its heading not tied down
-  State state = problem.PriorState();
-  SetFirstKnot(problem, state);
-  for (int knot = 1; knot < problem.size().knots; ++knot)
-    for (int sensor = 0; sensor < 2; ++sensor)
-      std::copy_n(state.Attitude(0, sensor), 4, state.Attitude(knot, sensor));
+  const Observations observations = CutAt(4.0);
+  State state = Solved(observations).state;
+  const ArmProblem problem(observations, {}, 0.1);  // its heading not tied down
   const std::vector<int> singular = AssessCertainty(problem, state).singular;
   EXPECT_TRUE(std::any_of(singular.begin(), singular.end(), [&](int unknown) {
     return problem.Describe(unknown).kind == UnknownKind::kAttitude;
