@@ -33,13 +33,22 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
 double Square(double x) { return x * x; }
 
+// A rest that is none says its wrong thing linearly from here on, not with the square [sd].
+constexpr double kRestOutlier = 3.0;
+
+std::shared_ptr<ceres::LossFunction> LossOf(ResidualKind kind) {
+  static const auto huber = std::make_shared<ceres::HuberLoss>(kRestOutlier);
+  const bool of_a_rest = kind == ResidualKind::kZeroVelocity || kind == ResidualKind::kGyroBiasRest;
+  return of_a_rest ? huber : nullptr;
+}
+
 }  // namespace
 
 template <typename Residual>
 void ArmProblem::Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor,
                      int first, int last) {
   terms_.push_back({std::unique_ptr<TangentCost>(MakeCost(std::move(residual))),
-                    std::move(unknowns), kind, sensor, first, last});
+                    std::move(unknowns), kind, sensor, first, last, LossOf(kind)});
 }
 
 void ArmProblem::AddConstants() {
@@ -277,8 +286,8 @@ void ArmProblem::AddStart() {
   Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kGaugeSigma)), ResidualKind::kPlaceGauge,
       {Root(0, 0)}, -1, 0, 0);
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
-    Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma)), ResidualKind::kPrior,
-        {Velocity(0, sensor)}, sensor, 0, 0);
+    Add(InBodyAxes(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma))),
+        ResidualKind::kPrior, {Attitude(0, sensor), Velocity(0, sensor)}, sensor, 0, 0);
   const int upper = SensorOn(Segment::kUpperArm), fore = SensorOn(Segment::kForearm);
   if (!observations_.start_pose || upper < 0) return;
   const StartPose& pose = *observations_.start_pose;
