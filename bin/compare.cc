@@ -2,20 +2,19 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "bin/commands.h"
 #include "bin/compare_pair.h"
 #include "bin/comparison_text.h"
+#include "bin/experiments/run_experiment.h"
 #include "bin/help.h"
-#include "bin/in_parallel.h"
 #include "bin/lists.h"
 #include "bin/method_flags.h"
-#include "bin/progress_line.h"
 #include "bin/run_facts.h"
 #include "bin/termination.h"
+#include "io/comparison_figures.h"
 #include "io/comparison_folder.h"
 
 namespace brachium {
@@ -24,6 +23,8 @@ namespace {
 using Outcome = ComparedPair::Outcome;
 
 struct CompareFlags {
+  std::string experiment;
+  bool quick = false;
   std::string trial;
   std::string methods;
   std::string output;
@@ -31,12 +32,18 @@ struct CompareFlags {
   bool overwrite = false;
 
   bool IsValid(std::string* why) const {
+    if (quick && experiment.empty()) return *why = "quick goes with experiment only", false;
     if (threads < 0) return *why = "threads must not be negative", false;
     return true;
   }
 
   template <typename Flags, typename Visitor>
   static void Visit(Flags& flags, Visitor&& visit) {
+    visit("experiment", flags.experiment,
+          "In place of trials and methods: luinge2007, zhou2008 or bai2015. Simulates that paper's "
+          "movements, runs its methods and the smoother, and prints its tables beside the paper's "
+          "values.");
+    visit("quick", flags.quick, "Of an experiment: fewer and shorter runs, for a first look.");
     visit("trial", flags.trial,
           "The trial folders, each with a reference: a list with commas, or a pattern in quotes "
           "such as 'trials/rig_*'.");
@@ -53,14 +60,15 @@ struct CompareFlags {
 };
 
 const CommandHelp kHelp = {
-    "--trial=DIR[,DIR...] --methods=A[,B...] --output=DIR [flags]",
+    "{--trial=DIR[,DIR...] --methods=A[,B...] | --experiment=NAME} --output=DIR [flags]",
     "Runs each method on each trial, compares the estimates with the references and puts them side "
     "by side: prints a table, writes comparison.csv, comparison.json, comparison.md and figures, "
     "and keeps the estimates in estimates/TRIAL/METHOD. What was interrupted goes on where it "
     "ended: an estimate by the same method, options and version from the same input is not made "
     "again. A method that cannot use a trial is shown as -. Exits with 2 when a trial cannot be "
     "read or has no reference, with 3 when a method failed or its result is not to be trusted; "
-    "all others are there nevertheless."};
+    "all others are there nevertheless. An experiment's trials and estimates stay in trials/ and "
+    "estimates/TRIAL/NAME; it exits with 3 when a method failed."};
 
 std::vector<PairTask> TasksFor(const std::vector<NamedFolder>& trials,
                                const std::vector<std::string>& methods,
@@ -77,24 +85,6 @@ std::vector<PairTask> TasksFor(const std::vector<NamedFolder>& trials,
                        .overwrite = flags.overwrite,
                        .command_line = command_line});
   return tasks;
-}
-
-std::vector<ComparedPair> RunAll(const std::vector<PairTask>& tasks, int threads) {
-  std::vector<ComparedPair> pairs(tasks.size());
-  ProgressLine line;
-  const Progress progress = line.callback();
-  std::mutex mutex;
-  std::size_t done = 0;
-  InParallel(tasks.size(), threads, [&](std::size_t i) {
-    pairs[i] = RunPair(tasks[i]);
-    const std::lock_guard lock(mutex);
-    ++done;
-    if (progress)
-      progress(std::to_string(done) + " of " + std::to_string(tasks.size()) + ": " +
-                   tasks[i].method + " on " + tasks[i].trial.name,
-               static_cast<double>(done) / static_cast<double>(tasks.size()));
-  });
-  return pairs;
 }
 
 ComparisonInfo InfoOf(const Comparison& comparison, const MethodFlags& methods,
@@ -121,17 +111,40 @@ int Verdict(const Comparison& comparison) {
   return doubtful ? kNotToBeTrusted : kGood;
 }
 
+int RunExperimentOf(const CompareFlags& flags, const CommandLine& line) {
+  if (!flags.trial.empty() || !flags.methods.empty())
+    throw UsageError(
+        "--experiment brings its trials and methods: --trial and --methods do not go "
+        "with it");
+  RequireGiven(flags.output, "output");
+  RequireValid(flags);
+  return RunExperiment(ExperimentFrom(flags.experiment),
+                       {.folder = flags.output,
+                        .quick = flags.quick,
+                        .threads = flags.threads,
+                        .overwrite = flags.overwrite,
+                        .command_line = line.text(),
+                        .flags = line.RunFlags({"output", "overwrite", "threads"})});
+}
+
+// An experiment fixes the options of its methods: their flags are not known then.
+std::vector<std::string> MethodsOf(const CommandLine& line) {
+  if (!line.Peek("experiment", "").empty()) return {};
+  const std::string chosen = line.Peek("methods", "");
+  return MethodsFrom("methods", chosen.empty() ? "*" : chosen);
+}
+
 }  // namespace
 
 int RunCompare(CommandLine& line) {
   CompareFlags flags;
-  const std::string chosen = line.Peek("methods", "");
-  const std::vector<std::string> methods = MethodsFrom("methods", chosen.empty() ? "*" : chosen);
+  const std::vector<std::string> methods = MethodsOf(line);
   MethodFlags method_flags("methods", methods);
   line.Add("Flags", flags);
   line.Add("Flags of the methods", method_flags);
   if (ShowHelp(line, kHelp)) return kGood;
   line.Read();
+  if (!flags.experiment.empty()) return RunExperimentOf(flags, line);
   RequireGiven(flags.trial, "trial");
   RequireGiven(flags.methods, "methods");
   RequireGiven(flags.output, "output");
@@ -144,11 +157,11 @@ int RunCompare(CommandLine& line) {
   Comparison comparison{.trials = {}, .methods = methods, .pairs = {}};
   for (const NamedFolder& trial : trials) comparison.trials.push_back(trial.name);
   comparison.pairs =
-      RunAll(TasksFor(trials, methods, method_flags, flags, line.text()), flags.threads);
+      RunPairs(TasksFor(trials, methods, method_flags, flags, line.text()), flags.threads);
   {
     const WithoutInterruption writing;
     WriteComparison(flags.output, comparison, InfoOf(comparison, method_flags, line, run_flags),
-                    flags.overwrite);
+                    ComparisonFigures(comparison), flags.overwrite);
   }
   std::cout << ComparisonText(comparison) << "Comparison in " << flags.output << "\n";
   return Verdict(comparison);

@@ -1,11 +1,14 @@
 #include "bin/compare_pair.h"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "bin/flags.h"
+#include "bin/in_parallel.h"
 #include "bin/judge.h"
+#include "bin/progress_line.h"
 #include "bin/run_facts.h"
 #include "bin/run_info.h"
 #include "bin/termination.h"
@@ -105,6 +108,24 @@ ComparedPair RunPair(const PairTask& task) {
   }
   pair.seconds = watch.Seconds();
   return pair;
+}
+
+std::vector<ComparedPair> RunPairs(const std::vector<PairTask>& tasks, int threads) {
+  std::vector<ComparedPair> pairs(tasks.size());
+  ProgressLine line;
+  const Progress progress = line.callback();
+  std::mutex mutex;
+  std::size_t done = 0;
+  InParallel(tasks.size(), threads, [&](std::size_t i) {
+    pairs[i] = RunPair(tasks[i]);
+    const std::lock_guard lock(mutex);
+    ++done;
+    if (progress)
+      progress(std::to_string(done) + " of " + std::to_string(tasks.size()) + ": " +
+                   tasks[i].method + " on " + tasks[i].trial.name,
+               static_cast<double>(done) / static_cast<double>(tasks.size()));
+  });
+  return pairs;
 }
 
 }  // namespace brachium

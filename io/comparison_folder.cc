@@ -1,10 +1,8 @@
 #include "io/comparison_folder.h"
 
 #include <filesystem>
-#include <map>
 #include <utility>
 
-#include "io/comparison_figures.h"
 #include "io/evaluation_file.h"
 #include "io/file_bytes.h"
 #include "io/output_folder.h"
@@ -131,11 +129,12 @@ void CheckComparable(const std::string& folder, const std::vector<NameValue>& fl
 }
 
 void WriteComparison(const std::string& folder, const Comparison& comparison,
-                     const ComparisonInfo& info, bool overwrite) {
+                     const ComparisonInfo& info, const std::map<std::string, std::string>& figures,
+                     bool overwrite) {
   const auto write = [&](const std::string& name, const std::string& text, bool replaces) {
     WriteOneFile((fs::path(folder) / name).string(), text, replaces);
   };
-  for (const auto& [name, svg] : ComparisonFigures(comparison)) write(name, svg, overwrite);
+  for (const auto& [name, svg] : figures) write(name, svg, overwrite);
   write("comparison.csv", ComparisonCsv(comparison), overwrite);
   write("comparison.json", ComparisonJson(comparison, info), overwrite);
   write("comparison.md", info.markdown, overwrite);

@@ -13,6 +13,7 @@
 // estimates/TRIAL/METHOD/  estimate folders
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -39,9 +40,10 @@ std::string ComparisonJson(const Comparison& comparison, const ComparisonInfo& i
 void CheckComparable(const std::string& folder, const std::vector<NameValue>& flags,
                      bool overwrite);
 
-// All files but the estimates; each reaches its place in one step, and the same bytes again are no
+// All files but the estimates, `figures` by file name among them; each reaches its place in one step, and the same bytes again are no
 // overwrite. Throws OutputExists and OutputError.
 void WriteComparison(const std::string& folder, const Comparison& comparison,
-                     const ComparisonInfo& info, bool overwrite);
+                     const ComparisonInfo& info, const std::map<std::string, std::string>& figures,
+                     bool overwrite);
 
 }  // namespace brachium

@@ -62,6 +62,10 @@ Estimate ReadEstimate(const std::string& folder) {
   estimate.diagnostics.converged = convergence.At("converged").Truth();
   estimate.diagnostics.singular = convergence.At("singular").Truth();
   estimate.diagnostics.termination = convergence.At("termination").Text();
+  for (const JsonNode& epoch : root.At("epochs").Elements())
+    estimate.diagnostics.epochs.push_back({ParseSegment(epoch.At("segment")),
+                                           epoch.At("start_s").Number(),
+                                           epoch.At("end_s").Number()});
   return estimate;
 }
 

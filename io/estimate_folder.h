@@ -21,8 +21,8 @@ void WriteEstimate(const std::string& folder, const Estimate& estimate, const Ru
 // versions from the same inputs.
 bool HoldsEstimate(const std::string& folder, const std::string& method, const RunInfo& run);
 
-// The motion, the method, the side, and of the diagnostics whether it converged, is singular, and
-// why it ended. Throws InputError.
+// The motion, the method, the side, and of the diagnostics whether it converged, is singular, why it
+// ended, and the epochs. Throws InputError.
 Estimate ReadEstimate(const std::string& folder);
 
 }  // namespace brachium

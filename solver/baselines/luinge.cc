@@ -169,7 +169,7 @@ Estimate FilterEachSegment(const std::string& method, const Observations& observ
                            const LuingeUnconstrainedOptions& options,
                            std::optional<double> heading_sigma) {
   StageClock clock;
-  const Tracks tracks = StartTracks(observations);
+  const Tracks tracks = StartTracks(observations, options.luinge_bias_from_rests);
   Estimate estimate = BlankEstimate(method, observations, tracks);
   AddDeviations(tracks, estimate);
   estimate.timing.push_back({"start", clock.Lap()});
@@ -199,7 +199,7 @@ bool Luinge::Accepts(const Observations& observations, std::string* why) const {
 
 Estimate Luinge::Run(const Observations& observations, const Progress&) const {
   StageClock clock;
-  const Tracks tracks = StartTracks(observations);
+  const Tracks tracks = StartTracks(observations, options_.filter.luinge_bias_from_rests);
   Estimate estimate = BlankEstimate(smooths_ ? "luinge_rts" : "luinge", observations, tracks);
   AddDeviations(tracks, estimate);
   estimate.timing.push_back({"start", clock.Lap()});

@@ -25,6 +25,7 @@ namespace brachium {
 struct LuingeUnconstrainedOptions {
   double luinge_acceleration_cutoff_hz = 2.0;
   double luinge_acceleration_sigma_m_s2 = 3.0;
+  bool luinge_bias_from_rests = true;
 
   bool IsValid(std::string* why) const;
 
@@ -35,6 +36,10 @@ struct LuingeUnconstrainedOptions {
           "predicted acceleration longer and corrects the inclination more slowly.");
     visit("luinge_acceleration_sigma_m_s2", options.luinge_acceleration_sigma_m_s2,
           "Standard deviation of that acceleration, per axis [m/s^2]. More trusts the gyroscope.");
+    visit(
+        "luinge_bias_from_rests", options.luinge_bias_from_rests,
+        "Start with the gyro bias that the rests of the recording tell. Off: with none, as sensors "
+        "are switched on; the filter then learns it from gravity alone.");
   }
 };
 

@@ -74,9 +74,9 @@ Quaterniond AttitudeAt(const Track& track, double start, double time) {
   return track.q_WB * track.samples.Turn(start, time, track.gyro_bias).dq;
 }
 
-// Turns the forearm about the vertical until the elbow is nearest to the told pose.
-void TurnToPose(Track& upper, Track& fore, const Observations& observations, double start,
-                double end) {
+// The turn of the forearm about the vertical after which the elbow is nearest to the told pose.
+Quaterniond TurnToPose(const Track& upper, const Track& fore, const Observations& observations,
+                       double start, double end) {
   const StartPose& pose = *observations.start_pose;
   const ElbowAngles angles{pose.elbow_flexion.value_or(0.0), observations.arm.elbow.carrying_angle,
                            *pose.forearm_pronation};
@@ -85,8 +85,7 @@ void TurnToPose(Track& upper, Track& fore, const Observations& observations, dou
       AttitudeAt(upper, start, time) * ElbowRotation(angles, observations.arm.side);
   const Quaterniond q_turn = q_target * AttitudeAt(fore, start, time).conjugate();
   const double heading = 2 * std::atan2(q_turn.z(), q_turn.w());
-  fore.q_WB = Quaterniond(Eigen::AngleAxisd(heading, Vector3d::UnitZ())) * fore.q_WB;
-  fore.heading_sigma = pose.sigma;
+  return Quaterniond(Eigen::AngleAxisd(heading, Vector3d::UnitZ()));
 }
 
 void SetHeadings(Tracks& tracks, const Observations& observations) {
@@ -104,14 +103,18 @@ void SetHeadings(Tracks& tracks, const Observations& observations) {
         "same heading of their x axes");
     return;
   }
-  TurnToPose(segments[static_cast<std::size_t>(upper)], segments[static_cast<std::size_t>(fore)],
-             observations, tracks.start, tracks.end);
+  const Quaterniond q_turn =
+      TurnToPose(segments[static_cast<std::size_t>(upper)],
+                 segments[static_cast<std::size_t>(fore)], observations, tracks.start, tracks.end);
+  for (Track& track : segments)
+    if (track.recording.segment >= Segment::kForearm) track.q_WB = q_turn * track.q_WB;
+  segments[static_cast<std::size_t>(fore)].heading_sigma = pose->sigma;
   tracks.notes.push_back("the forearm's heading at the start is that of the start pose");
 }
 
 }  // namespace
 
-Tracks StartTracks(const Observations& observations) {
+Tracks StartTracks(const Observations& observations, bool bias_from_rests) {
   Tracks tracks;
   tracks.start = -std::numeric_limits<double>::infinity();
   tracks.end = std::numeric_limits<double>::infinity();
@@ -124,7 +127,7 @@ Tracks StartTracks(const Observations& observations) {
     const auto rests = DetectRests(track.recording, {});
     for (const RestInterval& rest : rests)
       tracks.rests.push_back({track.recording.segment, rest.start, rest.end, rest.probability});
-    if (!SetBias(track, rests))
+    if (!SetBias(track, bias_from_rests ? rests : std::vector<RestInterval>{}))
       tracks.notes.push_back("no rest tells the gyro bias of the " +
                              std::string(Name(track.recording.segment)) + ": it starts near zero");
     SetInclination(track, tracks.start, tracks.end);

@@ -32,11 +32,12 @@ struct Tracks {
 
 // Where all begin, at the first instant that every recording covers:
 //   gyro bias    mean rate over the rests of the whole recording, each weighted by how well it tells
-//                it, beside a prior of zero: zero where there is no rest;
+//                it, beside a prior of zero: zero where there is no rest, or without
+//                `bias_from_rests`;
 //   inclination  from the specific force of the first two seconds, turned back by the gyroscope;
 //   heading      of the x axis of every segment: zero; with a told start pose the forearm's is
-//                turned to it, at its instant.
-Tracks StartTracks(const Observations& observations);
+//                turned to it, at its instant, and the hand's with it.
+Tracks StartTracks(const Observations& observations, bool bias_from_rests = true);
 
 // The index of the segment's track, or -1.
 int TrackOf(const Tracks& tracks, Segment segment);

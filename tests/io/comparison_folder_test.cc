@@ -111,9 +111,9 @@ TEST(ComparisonFolder, IsNotReplacedByOneOfOtherFlagsUnlessToldSo) {
   const std::string place = folder.File("comparison");
   ComparisonInfo info;
   info.flags = {{"methods", "a,b"}};
-  WriteComparison(place, Example(), info, false);
+  WriteComparison(place, Example(), info, ComparisonFigures(Example()), false);
   EXPECT_NO_THROW(CheckComparable(place, info.flags, false));
-  EXPECT_NO_THROW(WriteComparison(place, Example(), info, false));
+  EXPECT_NO_THROW(WriteComparison(place, Example(), info, ComparisonFigures(Example()), false));
   EXPECT_THROW(CheckComparable(place, {{"methods", "a"}}, false), OutputExists);
   EXPECT_NO_THROW(CheckComparable(place, {{"methods", "a"}}, true));
 }

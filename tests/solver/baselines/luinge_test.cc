@@ -61,6 +61,18 @@ TEST(Luinge, ExpectsThePapersStraightElbowUnlessToldToExpectTheCarryingAngle) {
   }
 }
 
+TEST(Luinge, KnowsNoGyroBiasAtTheStartWhereItIsNotToTakeItFromRests) {
+  const Trial trial = Brisk(20);
+  const LuingeUnconstrainedOptions switched_on{.luinge_bias_from_rests = false};
+  const auto start = [&](const LuingeUnconstrainedOptions& options) {
+    const Estimate estimate = LuingeUnconstrained(options).Run(trial.observations);
+    return estimate.diagnostics.constants.at(0);
+  };
+  EXPECT_GT(Eigen::Vector3d(start({}).value.data()).norm(), 0.3);
+  EXPECT_EQ(Eigen::Vector3d(start(switched_on).value.data()).norm(), 0.0);
+  EXPECT_GT(start(switched_on).sd[0], 10 * start({}).sd[0]);
+}
+
 TEST(Luinge, SaysHowCertainEachAttitudeIs) {
   const Trial trial = HingedArm({.forearm_heading_drift = kDrift});
   const Estimate free = Unconstrained(trial), tied = Constrained(trial);
