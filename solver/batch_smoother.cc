@@ -91,7 +91,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   if (options_.whole_trial)
     SolveWholeTrial(
         problem, state,
-        {.solver = solver, .most_iterations = 100, .step_in_sd = 0.01, .threads = options_.threads},
+        {.solver = solver, .most_iterations = 200, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
   stage("whole trial");
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/step_memory.h"
 #include "solver/step_values.h"
 
 namespace brachium {
@@ -15,9 +16,11 @@ constexpr double kMostDamping = 1e16;
 constexpr double kMoreDamping = 100.0, kLessDamping = 0.1;  // after a step refused, or taken
 
 // Gains: how much of the foretold decrease a step brings.
+constexpr double kLongGain = 1.5;    // above this the slope has not levelled off
 constexpr double kFairGain = 0.25;   // below this it went too far
 constexpr double kLeastGain = 1e-3;  // that is taken for one
 constexpr double kShortest = 0.08;   // share of a step worth a try; else damping serves better
+constexpr double kLongest = 64.0;
 
 // A decrease below this share of the cost drowns in its rounding errors.
 constexpr double kRounding = 1e-14;
@@ -45,7 +48,7 @@ class Descent {
         return Ended(true, "The step is small against the standard deviations.");
       }
       ++summary_.iterations;
-      if (Try(foretold)) continue;
+      if (TryMixed(foretold) || Try(foretold)) continue;
       values_.Restore();
       if (foretold < kRounding * here_.cost)
         return Ended(true, "The cost does not fall any further in double precision.");
@@ -61,24 +64,45 @@ class Descent {
            foretold <= options_.least_decrease * here_.cost;
   }
 
-  // Takes the step, or where it went too far the share of it that the parabola through the costs
-  // asks for, if the cost falls.
-  bool Try(double foretold) {
-    const double gain = Gain(1.0, std::max(kLessDamping * damping_, kLeastDamping), foretold);
-    if (gain >= kFairGain) return Take();
-    const double share = 1 / (2 - gain);
-    return share > kShortest && Gain(share, damping_, foretold) >= kLeastGain && Take();
+  // Takes the step that the last ones call for, if there is one and it is good.
+  bool TryMixed(double foretold) {
+    memory_.Stand(step_, sweep_.gradient(), here_.length_2);
+    if (damping_ > kNoDamping || !memory_.Mix(mixed_)) return false;
+    if (Gain(mixed_, 1.0, foretold) >= kFairGain) return Take(mixed_, 1.0);
+    memory_.Forget();
+    return false;
   }
 
-  // How much of the foretold decrease a share of the step brings, linearised there.
-  double Gain(double share, double damping, double foretold) {
-    values_.Set(step_, share);
-    there_ = sweep_.Run(plan_, damping);
-    damping_there_ = damping;
+  // Takes the step, or more of it while the cost falls on, or where it went too far the share of it
+  // that the parabola through the costs asks for, if the cost falls.
+  bool Try(double foretold) {
+    const double gain = Gain(step_, 1.0, foretold);
+    if (gain >= kLongGain) return TakeLonger(foretold);
+    if (gain >= kFairGain) return Take(step_, 1.0);
+    const double share = 1 / (2 - gain);
+    return share > kShortest && Gain(step_, share, foretold) >= kLeastGain && Take(step_, share);
+  }
+
+  bool TakeLonger(double foretold) {
+    double share = 1.0, cost = there_.cost;
+    while (share < kLongest && Gain(step_, 2 * share, foretold) > 0.0 && there_.cost < cost) {
+      share *= 2;
+      cost = there_.cost;
+    }
+    if (there_.cost != cost) Gain(step_, share, foretold);
+    return Take(step_, share);
+  }
+
+  // How much of the foretold decrease a share of a step brings, linearised there for the next step.
+  double Gain(const std::vector<double>& step, double share, double foretold) {
+    values_.Set(step, share);
+    damping_there_ = std::max(kLessDamping * damping_, kLeastDamping);
+    there_ = sweep_.Run(plan_, damping_there_);
     return there_.IsFinite() ? (here_.cost - there_.cost) / foretold : -HUGE_VAL;
   }
 
-  bool Take() {
+  bool Take(const std::vector<double>& step, double share) {
+    memory_.Go(step, share);
     values_.Save();
     here_ = there_;
     damping_ = damping_there_;
@@ -104,7 +128,8 @@ class Descent {
   StepValues values_;
   FrontSweep::Sums here_, there_;  // of the values that stand, and of those that are tried
   double damping_ = kLeastDamping, damping_there_ = 0.0;
-  std::vector<double> step_;
+  std::vector<double> step_, mixed_;
+  StepMemory memory_;
   SolveSummary summary_;
 };
 

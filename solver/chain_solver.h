@@ -3,9 +3,12 @@
 //
 // A step d solves (H + λ D) d = -g, D being the diagonal of H. λ begins so small that steps are
 // Gauss-Newton's. A step that lowers the cost by much less than foretold, or raises it, is shortened
-// to the bottom of the parabola through both costs and the slope. One that does not help then either
-// is taken back, and λ grows. Steps are bent as arms turn (step_values.h). The search ends as SolveOptions says, by dᵀ H d = |L⁻¹ g|², the squared length of the step in standard
-// deviations: no linear combination of the unknowns moves by more of its own.
+// to the bottom of the parabola through both costs and the slope; one that lowers it by much more is
+// doubled while that helps. One that does not help when shortened either is taken back, and λ grows.
+// Steps are bent as arms turn (step_values.h), and where they shrink slowly the last ones make them
+// faster (step_memory.h). The search ends as SolveOptions says, by dᵀ H d = |L⁻¹ g|², the squared
+// length of the step in standard deviations: no linear combination of the unknowns moves by more of
+// its own.
 // Source: Levenberg (1944), Marquardt (1963); Madsen, Nielsen & Tingleff, Methods for Non-Linear
 // Least Squares Problems (2004), sections 3.2 and 2.3.
 #pragma once

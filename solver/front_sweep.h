@@ -35,6 +35,9 @@ class FrontSweep {
   // with it. Requires a plan that hands nothing on.
   double Step(const FrontPlan& plan, std::vector<double>& step);
 
+  // Of the cost at the last pass, all columns.
+  const std::vector<double>& gradient() const { return gradient_; }
+
   // A deviation of all columns with the covariance of the last pass, from `signs`: as many random
   // numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
   void Draw(const FrontPlan& plan, const std::vector<double>& signs,
