@@ -27,6 +27,9 @@ using Eigen::Vector3d;
 constexpr double kGaugeSigma = 1e-4;         // of the first place [m]
 constexpr double kLostAttitude = 2.0;        // by the longest gap: more than that is a turn [rad]
 constexpr double kStartVelocitySigma = 2.0;  // a person may walk into a trial [m/s]
+constexpr double kHanging =
+    30 * kDegree;  // a told elevation up to here leaves the elbow facing forward,
+constexpr double kFacingSigma = 20 * kDegree;  // as people's do
 constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
@@ -296,6 +299,9 @@ void ArmProblem::AddStart() {
   if (pose.shoulder_elevation)
     Add(ElevationStartPose(*pose.shoulder_elevation, pose.sigma), ResidualKind::kStartPose,
         {Attitude(knot, upper)}, -1, knot, knot);
+  if (pose.shoulder_elevation && *pose.shoulder_elevation < kHanging && upper > 0)
+    Add(FacingStartPose(kFacingSigma), ResidualKind::kStartPose,
+        {Attitude(knot, upper - 1), Attitude(knot, upper)}, -1, knot, knot);
   if (fore < 0) return;
   const auto add = [&](ElbowAngle angle, double told) {
     Add(ElbowStartPose(angle, side, told, pose.sigma), ResidualKind::kStartPose,

@@ -113,5 +113,28 @@ TEST(ElevationStartPose, DerivativesAgreeAlsoAtThePole) {
   EXPECT_TRUE(DerivativesAgree(ElevationStartPose(0.0, kSigma), {Raised(0.0, 0.3, 0.2).coeffs()}));
 }
 
+TEST(FacingStartPose, IsTheTurnOfTheArmOutOfTheBodysHeadingHoweverBothAreTilted) {
+  const FacingStartPose residual(kSigma);
+  for (const double tilt : {0.0, 0.3})
+    for (const double turn : {-kSigma, 0.0, 2 * kSigma}) {
+      const Quaterniond q_WG = Raised(0.0, 3.0, 0.0) * AngleAxisd(tilt, Vector3d::UnitX());
+      const Quaterniond q_WU = AngleAxisd(turn, Vector3d::UnitZ()) * Raised(0.0, 3.0, 0.0);
+      EXPECT_NEAR(ResidualAt(residual, {q_WG.coeffs(), q_WU.coeffs()})[0], turn / kSigma, 1e-12);
+    }
+}
+
+TEST(FacingStartPose, IsBlindToTheCommonHeading) {
+  std::mt19937 random(1);
+  const FacingStartPose residual(kSigma);
+  const BlockValues x = RandomValues(FacingStartPose::Blocks(), random);
+  const Quaterniond q_VW(AngleAxisd(0.8, Vector3d::UnitZ()));
+  EXPECT_NEAR(ResidualAt(residual, TurnedWorld(q_VW, x, {false, false}))[0],
+              ResidualAt(residual, x)[0], 1e-10);
+}
+
+TEST(FacingStartPose, DerivativesAgree) {
+  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(FacingStartPose(kSigma)));
+}
+
 }  // namespace
 }  // namespace brachium
