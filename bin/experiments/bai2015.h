@@ -15,6 +15,9 @@ inline const std::vector<std::string> kKinematicMethods = {"bai_kinematic", "smo
 inline const std::vector<std::string> kReckoningMethods = {"bai_dead_reckoning",
                                                            "bai_dead_reckoning_zupt", "smoother"};
 
+// The hand's sensor alone: on skin, and as if on a rigid body.
+inline const std::vector<std::string> kHandTrials = {"pegs_hand", "pegs_hand_rigid"};
+
 std::vector<int> BaiWeeks(bool quick);  // of the sessions
 std::string SessionName(int week);      // 0: the healthy person
 

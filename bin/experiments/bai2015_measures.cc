@@ -32,11 +32,13 @@ PegPlaces PegsOf(const SimulatedTrial& trial, const TrunkPath& hand) {
       if (cycle.label != label) continue;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       double count = 0.0;
-      for (std::size_t i = 0; i < hand.time.size(); ++i)
-        if (cycle.end - kWithin <= hand.time[i] && hand.time[i] <= cycle.end) {
-          sum += hand.p.col(static_cast<Eigen::Index>(i));
-          ++count;
-        }
+      for (std::size_t i = 0; i < hand.time.size(); ++i) {
+        const auto place = hand.p.col(static_cast<Eigen::Index>(i));
+        if (hand.time[i] < cycle.end - kWithin || hand.time[i] > cycle.end || !place.allFinite())
+          continue;
+        sum += place;
+        ++count;
+      }
       places[peg] = sum / count;
     }
   }

@@ -87,6 +87,14 @@ void AddMarkerNoise(double noise, Draws draws, Reference& reference) {
     for (Vector3d& p : p_V) p += noise * draws.Normal3();
 }
 
+// The middles of regular sampling cells: cameras lose nothing.
+std::vector<double> CameraTimes(const Scenario& scenario, double rate) {
+  const auto cells = static_cast<int>(std::floor(scenario.options.duration * rate + 1e-9));
+  std::vector<double> time;
+  for (int i = 0; i < cells; ++i) time.push_back(0.5 * (i / rate + (i + 1) / rate));
+  return time;
+}
+
 Reference MakeReference(const Scenario& scenario, const SimulationOptions& options,
                         const std::vector<double>& time) {
   const std::vector<Segment> worn = Worn(scenario, options);
@@ -106,6 +114,15 @@ Reference MakeReference(const Scenario& scenario, const SimulationOptions& optio
     AddMarkerNoise(options.reference_noise,
                    ErrorStream(scenario, options, "reference", worn.front()), reference);
   return reference;
+}
+
+std::vector<Quaterniond> AttitudesBySensor(const Scenario& scenario, const SensorTruth& sensor,
+                                           const std::vector<double>& time) {
+  std::vector<Quaterniond> q_WB;
+  if (sensor.told)
+    for (const double t : time)
+      q_WB.push_back(At(sensor.worn, scenario, t).q_WS * sensor.told->q_BS.conjugate());
+  return q_WB;
 }
 
 // Adding zero makes -0 a plain 0.
@@ -202,10 +219,19 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
     sensors.push_back(DrawSensor(right, options, segment, sensors.empty()));
     trial.observations.recordings.push_back(Record(right, options, sensors.back()));
   }
-  const std::vector<double> time = trial.observations.recordings.front().time;
+  const std::vector<double> time = CameraTimes(right, sensors.front().rate);
   trial.reference = MakeReference(right, options, time);
 
-  if (left) trial = Mirrored(trial);
+  Trial by_sensors;
+  by_sensors.reference.emplace();
+  for (const SensorTruth& sensor : sensors)
+    by_sensors.reference->q_VB[sensor.worn.segment] = AttitudesBySensor(right, sensor, time);
+
+  if (left) {
+    trial = Mirrored(trial);
+    by_sensors = Mirrored(by_sensors);
+  }
+  simulated.q_VB_by_sensors = std::move(by_sensors.reference->q_VB);
   AddArmTruth(right, options, time, left, simulated.truth);
   for (const SensorTruth& sensor : sensors)
     AddSensorTruth(left ? Mirrored(sensor) : sensor, simulated.truth);

@@ -1,6 +1,7 @@
 // From a scenario to a trial: what body-worn sensors would have recorded, and the truth beside it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,16 @@
 namespace brachium {
 
 // The trial's reference holds the segments' (bones') true attitudes, not the sensors', and the
-// joints "shoulder", "elbow", "wrist" and, where a hand is worn, the fingertip as "hand", at the
-// first recording's sample times.
+// joints "shoulder", "elbow", "wrist" and, where a hand is worn, the fingertip as "hand", regularly
+// at the first recording's rate.
 struct SimulatedTrial {
   Trial trial;
   std::vector<TrueValue> truth;
+
+  // What sensors whose attitudes were known exactly would say of their segments, through the told
+  // mountings, at the reference's times: off the reference by mounting, skin and markers, which no
+  // method can tell. An empty list where a mounting is not told.
+  std::map<Segment, std::vector<Eigen::Quaterniond>> q_VB_by_sensors;
 
   // The value of that name; absent names are the programmer's mistake and throw std::out_of_range.
   const std::vector<double>& True(const std::string& name) const;

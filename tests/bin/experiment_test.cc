@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/run_program.h"
 
@@ -40,6 +41,47 @@ TEST_F(Experiment, OfLuingePrintsHisFiguresAndWritesThem) {
   EXPECT_EQ(comparison["options"]["luinge_switched_on_2"]["luinge_bias_from_rests"], false);
   const json truth = json::parse(File("trials/morning/truth.json"));
   EXPECT_TRUE(truth["truth"].contains("forearm.gyro_bias")) << truth["truth"].dump();
+}
+
+TEST_F(Experiment, OfZhouPrintsHisTablesAndWritesHisFigures) {
+  const Outcome outcome = Quick("zhou2008");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* text :
+       {"Table 1", "Table 2", "Table 3", "Table 4", "Table 5", "p-Value", "4.83"})
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  for (const char* figure : {"figure_5.svg", "figure_6.svg", "figure_7.svg", "figure_8.svg"})
+    EXPECT_THAT(File(figure), HasSubstr("</svg>")) << figure;
+  const json comparison = json::parse(File("comparison.json"));
+  EXPECT_EQ(comparison["options"]["zhou_no_highpass"]["zhou_highpass_hz"], 0.0)
+      << comparison["options"]["zhou_no_highpass"];
+}
+
+// Of a table row that begins so: its cells, parted by two blanks or more.
+std::vector<std::string> RowOf(const std::string& text, const std::string& name) {
+  const std::size_t start = text.find(name);
+  if (start == std::string::npos) return {};
+  std::vector<std::string> cells;
+  std::istringstream line(text.substr(start, text.find('\n', start) - start));
+  for (std::string word; line >> word;) cells.push_back(word);
+  return cells;
+}
+
+// The figures of the paper that a rigid hand's dead reckoning must reach: 0.8 % of the way.
+TEST_F(Experiment, OfBaiPrintsHisFiguresAndReckonsARigidHandWithinHisError) {
+  const Outcome outcome = Quick("bai2015", {"--threads=2"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* text :
+       {"Goniometer", "Fig. 8 a", "Fig. 9", "Fig. 10", "Fig. 11", "Fig. 12", "Section II.E"})
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  for (const char* figure :
+       {"figure_8.svg", "figure_9.svg", "figure_10.svg", "figure_11.svg", "figure_12.svg"})
+    EXPECT_THAT(File(figure), HasSubstr("</svg>")) << figure;
+  const std::vector<std::string> row = RowOf(outcome.out, "pegs_hand_rigid, smoother");
+  ASSERT_GE(row.size(), 8u) << outcome.out;
+  EXPECT_LT(std::stod(row[4]), 0.8) << "rms, % of path";
+  EXPECT_LT(std::stod(row[5]), 0.8) << "at the end, % of path";
+  EXPECT_LT(std::abs(std::stod(row[6])), 0.3) << "scale error";
+  EXPECT_GE(std::stoi(row[7]), 18) << "onsets within 0.08 s";
 }
 
 TEST_F(Experiment, SaysTheSameASecondTimeFromTheEstimatesThatAreThere) {
