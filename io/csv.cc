@@ -73,6 +73,9 @@ bool ParseCell(std::string_view cell, std::string_view missing, double* value) {
   return true;
 }
 
+constexpr std::string_view kDecimalComma =
+    "; decimal commas, as it seems: write decimal points [decimal_comma]";
+
 class Rows {
  public:
   Rows(std::string_view text, const CsvLayout& layout, CsvTable* table, std::vector<bool> wanted)
@@ -149,7 +152,13 @@ class Rows {
     const std::string_view cell = Trimmed({at_, cell_end});
     if (ParseCell(cell, missing_, &row_[c])) return cell_end;
     if (cell_end == end_ && cell.find_first_not_of("0123456789+-.eE") == cell.npos) return nullptr;
-    Fail(table_.names[c] + " is " + Shown(cell) + "; expected a number with a decimal point");
+    Fail(table_.names[c] + " is " + Shown(cell) + "; expected a number with a decimal point" +
+         (HasDecimalComma(cell) ? std::string(kDecimalComma) : ""));
+  }
+
+  static bool HasDecimalComma(std::string_view cell) {
+    return std::ranges::count(cell, ',') == 1 &&
+           cell.find_first_not_of("0123456789+-,eE") == cell.npos;
   }
 
   bool EndsEarly() const { return at_ == end_ ? false : FailLength(); }
@@ -160,8 +169,7 @@ class Rows {
     std::string what = "row has " + std::to_string(cells) + " cells; expected " +
                        std::to_string(row_.size()) + " as in the header";
     if (Trimmed({row_begin_, row_end}).empty()) what += " (the line is blank)";
-    if (delimiter_ == ',' && cells >= 2 * row_.size() - 1)
-      what += "; write decimal points where it has decimal commas";
+    if (delimiter_ == ',' && cells >= 2 * row_.size() - 1) what += kDecimalComma;
     Fail(what);
   }
 

@@ -1,6 +1,7 @@
 #include "io/recording_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "io/input_error.h"
 #include "io/text.h"
 #include "problems/rotation.h"
+#include "problems/saturation.h"
+#include "problems/statistics.h"
 #include "problems/stillness.h"
 
 namespace brachium {
@@ -15,12 +18,6 @@ namespace {
 
 constexpr double kFullRange = 35.0;  // [rad/s], 2000 deg/s: the usual sensor measures no more
 constexpr double kBrisk = 20.0;      // [rad/s], seldom passed by an arm
-
-double QuantileOf(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, values.begin() + rank);
-  return values[static_cast<std::size_t>(rank)];
-}
 
 std::vector<double> Norms(const std::vector<Eigen::Vector3d>& vectors) {
   std::vector<double> norms;
@@ -108,13 +105,13 @@ double PassageError(const Recording& recording, const std::vector<Passage>& pass
                     double scale) {
   std::vector<double> errors;
   for (const Passage& passage : passages) errors.push_back(PassageError(recording, passage, scale));
-  return QuantileOf(std::move(errors), 0.5);
+  return Quantile(std::move(errors), 0.5);
 }
 
 // Between rests the integrated rates must turn gravity as the accelerometer sees it turned. Where a
 // multiple of them does so much better, time runs at that multiple.
 void CheckRate(const Recording& recording, const std::string& name, Findings* findings) {
-  constexpr std::size_t kFewest = 3, kMost = 60;
+  constexpr std::size_t kFewest = 3, kMost = 20;
   constexpr double kLeast = 3 * kDegree, kTolerance = 0.08;
   std::vector<Passage> passages = Passages(recording);
   if (passages.size() < kFewest) return;
@@ -122,10 +119,14 @@ void CheckRate(const Recording& recording, const std::string& name, Findings* fi
   const double told = PassageError(recording, passages, 1.0);
   if (told < kLeast) return;
   double best = told, best_scale = 1.0;
-  for (double scale = 0.2; scale < 5.0; scale *= 1.02) {
-    const double error = PassageError(recording, passages, scale);
-    if (error < best) std::tie(best, best_scale) = std::tie(error, scale);
-  }
+  const auto scan = [&](double from, double to, double factor) {
+    for (double scale = from; scale < to; scale *= factor) {
+      const double error = PassageError(recording, passages, scale);
+      if (error < best) std::tie(best, best_scale) = std::tie(error, scale);
+    }
+  };
+  scan(0.2, 5.0, 1.1);
+  scan(best_scale / 1.1, best_scale * 1.1, 1.01);
   if (3.0 * best > told || std::abs(best_scale - 1.0) < kTolerance) return;
   findings->warnings.push_back(
       name + ": the sampling rate looks wrong (between rests gravity turns " +
@@ -134,27 +135,21 @@ void CheckRate(const Recording& recording, const std::string& name, Findings* fi
       " Hz: check time_s, or the scale of gyr [rate]");
 }
 
-// Runs of samples that stay on the largest value of a component.
 void CheckRange(const std::vector<Eigen::Vector3d>& samples, double least, const std::string& name,
                 Findings* findings) {
-  constexpr std::size_t kShortest = 3;
-  constexpr double kEqual = 1e-5;  // relative
-  for (int axis = 0; axis < 3; ++axis) {
-    double most = 0.0;
-    for (const Eigen::Vector3d& v : samples) most = std::max(most, std::abs(v[axis]));
-    if (most < least) continue;
-    std::size_t run = 0, clipped = 0;
-    for (const Eigen::Vector3d& v : samples) {
-      run = std::abs(v[axis]) >= (1.0 - kEqual) * most ? run + 1 : 0;
-      if (run == kShortest) clipped += kShortest;
-      if (run > kShortest) ++clipped;
-    }
-    if (clipped == 0) continue;
-    findings->warnings.push_back(name + "_" + "xyz"[axis] + " stays at its largest value, " +
-                                 Fixed(most, 1) + ", in " + std::to_string(clipped) +
-                                 " samples; the sensor was out of its range there, and what "
-                                 "follows is less certain [clipping]");
+  std::array<std::size_t, 3> saturated{};
+  std::array<double, 3> limit{};
+  for (const SaturatedRun& run : FindSaturatedRuns(samples, least)) {
+    const auto axis = static_cast<std::size_t>(run.axis);
+    saturated[axis] += run.last - run.first;
+    limit[axis] = std::abs(samples[run.first][run.axis]);
   }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (saturated[axis] > 0)
+      findings->warnings.push_back(
+          name + "_" + "xyz"[axis] + " stays at its largest value, " + Fixed(limit[axis], 1) +
+          ", in " + std::to_string(saturated[axis]) +
+          " samples: the sensor was out of its range there, and they count for less [clipping]");
 }
 
 // A sensor that repeats its last sample instead of measuring.
@@ -195,18 +190,18 @@ double GravityMismatch(const Recording& recording, double gyro_scale) {
     if (i > first && ShowsOnlyGravity(recording.acc_S[i]))
       angles.push_back(AngleBetween(q_first * recording.acc_S[i], recording.acc_S[first]));
   }
-  return angles.empty() ? 0.0 : QuantileOf(std::move(angles), 0.5);
+  return angles.empty() ? 0.0 : Quantile(std::move(angles), 0.5);
 }
 
 void CheckSensorUnits(const Recording& recording, const std::string& file, const std::string& name,
                       Findings* findings) {
   const std::vector<double> rates = Norms(recording.gyr_S);
-  const double acc = QuantileOf(Norms(recording.acc_S), 0.5);
-  CheckAccelerometer(acc, QuantileOf(rates, 0.5), file);
+  const double acc = Quantile(Norms(recording.acc_S), 0.5);
+  CheckAccelerometer(acc, Quantile(rates, 0.5), file);
   if (acc < 0.5 * kGravity || acc > 2.0 * kGravity)
     findings->warnings.push_back(name + ": acc has the median norm " + Fixed(acc, 2) +
                                  "; expected about 9.81 m/s^2");
-  const double fast = QuantileOf(rates, 0.95);
+  const double fast = Quantile(rates, 0.95);
   if (fast > kFullRange)
     throw InputError(file, 0,
                      "gyr looks like deg/s (5 % of it is above " + Fixed(fast, 0) +
@@ -222,8 +217,8 @@ void CheckSensorUnits(const Recording& recording, const std::string& file, const
         "in acc; expected right-handed axes and specific force [gyr_sign]");
   else
     CheckRate(recording, name, findings);
-  CheckRange(recording.gyr_S, 4.0, name + ": gyr", findings);
-  CheckRange(recording.acc_S, 1.5 * kGravity, name + ": acc", findings);
+  CheckRange(recording.gyr_S, kSmallestGyroRange, name + ": gyr", findings);
+  CheckRange(recording.acc_S, kSmallestAccelRange, name + ": acc", findings);
   CheckFrozen(recording, name, findings);
 }
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "io/elbow_check.h"
+#include "io/slip_check.h"
 #include "io/text.h"
+#include "problems/statistics.h"
 
 namespace brachium {
 namespace {
@@ -42,6 +45,27 @@ void CheckRests(const Recording& recording, const std::vector<Interval>& interva
                                  Fixed(force, 2) +
                                  " m/s^2 rms); label only what is still [moving_rest]");
   }
+}
+
+// What the accelerometer reads while the sensor hardly turns; nothing where that is not for long.
+std::optional<double> RestingForce(const Recording& recording) {
+  constexpr double kHardly = 5 * kDegree;  // [rad/s]
+  constexpr double kLeast = 1.0;           // [s]
+  std::vector<double> forces;
+  for (std::size_t i = 0; i < recording.size(); ++i)
+    if (recording.gyr_S[i].norm() < kHardly) forces.push_back(recording.acc_S[i].norm());
+  if (static_cast<double>(forces.size()) * SamplingPeriod(recording) < kLeast) return std::nullopt;
+  return Quantile(std::move(forces), 0.5);
+}
+
+void CheckGravity(const Recording& recording, double gravity, Findings* findings) {
+  constexpr double kTolerance = 0.35;  // [m/s^2]; sensors in use are off by 0.28
+  const auto force = RestingForce(recording);
+  if (!force || std::abs(*force - gravity) < kTolerance) return;
+  findings->warnings.push_back(std::string(Name(recording.segment)) + ": acc is " +
+                               Fixed(*force, 2) + " at rest; expected gravity, " +
+                               Fixed(gravity, 2) +
+                               " m/s^2: check its unit and its calibration [gravity]");
 }
 
 bool ShowsOnlyGravity(const Eigen::Vector3d& f_S) {
@@ -119,14 +143,42 @@ void CheckSide(const Observations& observations, Findings* findings) {
                                "); check arm.side and the mountings [side]");
 }
 
+// Where the told pose has the arm hang, up must be upward along upper arm and forearm.
+void CheckStartPose(const Observations& observations, Findings* findings) {
+  constexpr double kHanging = 30 * kDegree, kBent = 60 * kDegree, kOpposite = -0.7;
+  const auto& pose = observations.start_pose;
+  if (!pose || !pose->shoulder_elevation || *pose->shoulder_elevation > kHanging) return;
+  for (const Segment segment : {Segment::kUpperArm, Segment::kForearm}) {
+    const Recording* const recording = Find(observations, segment);
+    const bool hangs =
+        segment == Segment::kUpperArm || (pose->elbow_flexion && *pose->elbow_flexion < kBent);
+    if (recording == nullptr || !hangs) continue;
+    const auto at = std::ranges::lower_bound(recording->time, pose->time);
+    if (at == recording->time.end()) continue;
+    const auto i = static_cast<std::size_t>(at - recording->time.begin());
+    const double up = (recording->mounting->q_BS * recording->acc_S[i].normalized()).y();
+    if (up > kOpposite) continue;
+    findings->warnings.push_back(
+        std::string(Name(segment)) +
+        ": acc looks turned round: in the start pose, hanging, it is " + Fixed(up, 2) +
+        " of upward; expected specific force, +9.81 upward at rest: multiply it by -1, or turn the "
+        "mounting [gravity_sign]");
+  }
+}
+
 }  // namespace
 
 void CheckTrial(const Observations& observations, Findings* findings) {
   for (const Recording& recording : observations.recordings) {
     CheckRests(recording, observations.intervals, findings);
     CheckOrientation(recording, findings);
+    CheckGravity(recording, observations.gravity, findings);
   }
-  if (!CheckElbow(observations, findings)) CheckSide(observations, findings);
+  const std::size_t before = findings->warnings.size();
+  CheckStartPose(observations, findings);
+  if (findings->warnings.size() > before || CheckElbow(observations, findings)) return;
+  CheckSide(observations, findings);
+  CheckSlip(observations, findings);
 }
 
 }  // namespace brachium

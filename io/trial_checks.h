@@ -7,8 +7,9 @@
 namespace brachium {
 
 // Warns of a rest in which a sensor moves, of a maker's orientation that does not hold gravity
-// upright (inverted, w last, z down), of a forearm that turns as the other side's would, and of
-// what CheckElbow finds.
+// upright (inverted, w last, z down), of gravity of another size, of an arm that hangs upward in the
+// told start pose, of a forearm that turns as the other side's would, and of what CheckElbow and
+// CheckSlip find.
 void CheckTrial(const Observations& observations, Findings* findings);
 
 }  // namespace brachium

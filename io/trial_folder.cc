@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kVersion = 1;
-constexpr std::array<std::string_view, 10> kTrialKeys = {
-    "brachium_trial", "name",      "arm",       "recordings",  "intervals",
-    "start_pose",     "reference", "simulated", "calibration", "imported"};
+constexpr std::array<std::string_view, 11> kTrialKeys = {
+    "brachium_trial", "name",      "arm",         "recordings", "intervals",   "start_pose",
+    "reference",      "simulated", "calibration", "imported",   "gravity_m_s2"};
 constexpr std::array<std::string_view, 7> kRecordingKeys = {
     "segment", "file", "format", "mounting", "noise", "rate_hz", "sensor"};
 
@@ -84,6 +84,7 @@ class Reader {
     recorded_ = SegmentsOf(entries_);
     CheckChain(root_.At("recordings"), recorded_);
     Observations& observations = result_.trial.observations;
+    observations.gravity = ParseGravity(root_, &result_);
     observations.arm = ParseArm(root_.At("arm"), recorded_, &result_);
     for (const Entry& entry : entries_) ReadRecording(entry);
     const Interval common = CommonTime();

@@ -88,6 +88,7 @@ Json ToJson(const Trial& trial, bool simulated) {
   const Observations& observations = trial.observations;
   Json json = {{"brachium_trial", 1}, {"name", trial.name}};
   if (simulated) json["simulated"] = true;
+  json["gravity_m_s2"] = observations.gravity;
   json["arm"] = ToJson(observations.arm);
   for (const Recording& recording : observations.recordings)
     json["recordings"].push_back(ToJson(recording));
