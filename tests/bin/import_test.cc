@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
 
@@ -62,6 +64,33 @@ TEST_F(Import, RefusesSensorsThatAreNotThereAndMapsThatMakeNoSense) {
   EXPECT_THAT(absent.err, HasSubstr("the sensors at hand are 00B42D4B"));
   EXPECT_EQ(RunImport({"--map=00B42D4B:knee"}).exit_code, 1);
   EXPECT_EQ(RunImport({"--map="}).exit_code, 1);
+}
+
+// A folder of many recordings as MT Manager left it.
+TEST_F(Import, LeadsFromRecordedExportsToAnEstimate) {
+  const std::string exports = BRACHIUM_SOURCE_DIR "/../shared/data/formats/xsens_mt_ascii";
+  if (!std::filesystem::exists(exports)) GTEST_SKIP() << exports << " is not there";
+  const auto import = [&](const std::string& map, const std::string& name) {
+    return Run({"import", "--format=xsens_mt", "--files=" + exports, "--map=" + map, "--side=right",
+                "--output=" + Path(name)});
+  };
+  const std::string upper = "MT_012005D6_031-000_00B421AF:upper_arm";
+  const std::string fore = "MT_012005D6_031-000_00B4227B:forearm";
+  ASSERT_EQ(import(fore, "one").exit_code, 0);
+  const Outcome alone = Reconstruct(Path("one"), Path("estimate"));
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_TRUE(std::filesystem::exists(Path("estimate/estimate.csv")));
+
+  ASSERT_EQ(import(upper + "," + fore, "two").exit_code, 0);
+  const Outcome unmounted = Reconstruct(Path("two"), Path("arm"));
+  EXPECT_EQ(unmounted.exit_code, 2);
+  EXPECT_THAT(unmounted.err, HasSubstr("q_BS_wxyz"));
+  auto trial = nlohmann::json::parse(ReadText(Path("two/trial.json")));
+  for (auto& recording : trial["recordings"])
+    recording["mounting"] = {{"q_BS_wxyz", {0.7071068, 0, 0, -0.7071068}}};
+  Write("two/trial.json", trial.dump());
+  const Outcome mounted = Reconstruct(Path("two"), Path("arm"));
+  EXPECT_EQ(mounted.exit_code, 0) << mounted.err;
 }
 
 }  // namespace

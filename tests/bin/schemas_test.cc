@@ -71,6 +71,15 @@ TEST_F(Schemas, DescribeCalibratedTrials) {
   ExpectValid("trial", "calibrated/trial.json");
 }
 
+TEST_F(Schemas, DescribeImportedTrials) {
+  Write("MT_1_00B42D4B.txt",
+        "// Update Rate: 100.0Hz\nPacketCounter;Acc_X;Acc_Y;Acc_Z;Gyr_X;Gyr_Y;Gyr_Z\n"
+        "1;0;0;9.81;0;0;0\n2;0;0;9.81;0;0;0\n3;0;0;9.81;0;0;0\n");
+  RunWell({"import", "--format=xsens_mt", "--files=" + Path(""), "--map=00B42D4B:forearm",
+           "--side=left", "--output=" + Path("imported")});
+  ExpectValid("trial", "imported/trial.json");
+}
+
 TEST_F(Schemas, RefuseWhatTheyDoNotDescribe) {
   const json trial = json::parse(ReadText(Simulate() + "/trial.json"));
   const auto refuses = [&](const char* pointer, const json& value) {
