@@ -127,7 +127,7 @@ TEST(Accelerometer, CannotTellTiltFromBiasWhileTheSensorKeepsItsAttitude) {
   rest.dp = kGravity * kDuration * kDuration / 2 * Vector3d::UnitZ();
   rest.dv_dba = -kDuration * Eigen::Matrix3d::Identity();
   rest.dp_dba = -kDuration * kDuration / 2 * Eigen::Matrix3d::Identity();
-  const Accelerometer residual(rest, Quaterniond::Identity(), 0.5, {});
+  const Accelerometer residual(rest, Quaterniond::Identity(), 0.5, kGravity, {});
   const Vector3d zero = Vector3d::Zero();
   const Quaterniond upright = Quaterniond::Identity(), tilted = Exp<double>({tilt, 0.0, 0.0});
   const auto at = [&](const Quaterniond& q, const Vector3d& bias) {
