@@ -9,12 +9,6 @@ namespace {
 
 constexpr double kSmoothing = 0.06;  // half the width of the mean over the signals [s]
 
-const Recording* Find(const Observations& observations, Segment segment) {
-  for (const Recording& recording : observations.recordings)
-    if (recording.segment == segment && recording.mounting) return &recording;
-  return nullptr;
-}
-
 ElbowSensor OnGrid(const Recording& recording, const Eigen::Vector3d& elbow_B, double start,
                    std::size_t size) {
   ElbowSensor sensor;
@@ -44,10 +38,16 @@ Eigen::Matrix3d ElbowSensor::Lever(std::size_t k) const {
   return Skew<double>((gyr_S[k + 1] - gyr_S[k - 1]) / (2.0 * kElbowStep)) + turning * turning;
 }
 
+const Recording* FindMounted(const Observations& observations, Segment segment) {
+  for (const Recording& recording : observations.recordings)
+    if (recording.segment == segment && recording.mounting) return &recording;
+  return nullptr;
+}
+
 std::optional<ElbowSensors> FindElbowSensors(const Observations& observations, double shortest,
                                              double longest) {
-  const Recording* const upper = Find(observations, Segment::kUpperArm);
-  const Recording* const fore = Find(observations, Segment::kForearm);
+  const Recording* const upper = FindMounted(observations, Segment::kUpperArm);
+  const Recording* const fore = FindMounted(observations, Segment::kForearm);
   if (upper == nullptr || fore == nullptr) return std::nullopt;
   const double start = std::max(upper->time.front(), fore->time.front());
   const double end = std::min({upper->time.back(), fore->time.back(), start + longest});

@@ -29,6 +29,9 @@ struct ElbowSensors {
   std::size_t size() const { return upper.gyr_S.size(); }
 };
 
+// The recording of a segment whose mounting is known, or nullptr.
+const Recording* FindMounted(const Observations& observations, Segment segment);
+
 // Over what both recordings cover, `longest` seconds at most; nothing where one of them or its
 // mounting is missing, or where that is less than `shortest`.
 std::optional<ElbowSensors> FindElbowSensors(const Observations& observations, double shortest,

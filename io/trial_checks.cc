@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/elbow_check.h"
+#include "io/elbow_sensors.h"
 #include "io/slip_check.h"
 #include "io/text.h"
 #include "problems/statistics.h"
@@ -110,18 +111,12 @@ void CheckOrientation(const Recording& recording, Findings* findings) {
                                " of upright; it " + what);
 }
 
-const Recording* Find(const Observations& observations, Segment segment) {
-  for (const Recording& recording : observations.recordings)
-    if (recording.segment == segment && recording.mounting) return &recording;
-  return nullptr;
-}
-
 // Beside a hanging upper arm, up in forearm axes is (sin a cos c, cos a, sin a sin c) for flexion a
 // and, on the right, pronation c, which lies between 0 and pi; on the left it is -c.
 void CheckSide(const Observations& observations, Findings* findings) {
   constexpr double kHanging = 0.9, kBent = 0.5, kClear = 0.4, kLeast = 1.5;  // cos, sin, sin c, s
-  const Recording* const upper = Find(observations, Segment::kUpperArm);
-  const Recording* const fore = Find(observations, Segment::kForearm);
+  const Recording* const upper = FindMounted(observations, Segment::kUpperArm);
+  const Recording* const fore = FindMounted(observations, Segment::kForearm);
   if (upper == nullptr || fore == nullptr || !observations.arm.elbow.adduction_constraint) return;
   std::vector<double> sines;
   for (std::size_t i = 0, j = 0; i < fore->size(); ++i) {
@@ -149,7 +144,7 @@ void CheckStartPose(const Observations& observations, Findings* findings) {
   const auto& pose = observations.start_pose;
   if (!pose || !pose->shoulder_elevation || *pose->shoulder_elevation > kHanging) return;
   for (const Segment segment : {Segment::kUpperArm, Segment::kForearm}) {
-    const Recording* const recording = Find(observations, segment);
+    const Recording* const recording = FindMounted(observations, segment);
     const bool hangs =
         segment == Segment::kUpperArm || (pose->elbow_flexion && *pose->elbow_flexion < kBent);
     if (recording == nullptr || !hangs) continue;
