@@ -33,6 +33,8 @@ constexpr std::array kCommands = {
     Command{"compare", RunCompare, "runs several methods on several trials, side by side"},
     Command{"calibrate", RunCalibrate,
             "finds how sensors sit on their segments from labelled movements"},
+    Command{"export", RunExport, "writes an estimate in the files of OpenSim"},
+    Command{"import", RunImport, "makes a trial folder from the exports of makers' programs"},
     Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},
     Command{"simulate", RunSimulate, "writes a trial folder whose truth is known"},
 };

@@ -15,6 +15,8 @@ int RunReconstruct(CommandLine& line);
 int RunEvaluate(CommandLine& line);
 int RunCalibrate(CommandLine& line);
 int RunCompare(CommandLine& line);
+int RunExport(CommandLine& line);
+int RunImport(CommandLine& line);
 int RunInspect(CommandLine& line);
 int RunSimulate(CommandLine& line);
 
