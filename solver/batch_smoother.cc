@@ -5,6 +5,7 @@
 #include "solver/covariance.h"
 #include "solver/diagnosis.h"
 #include "solver/least_squares.h"
+#include "solver/observability.h"
 #include "solver/stage_clock.h"
 #include "solver/standard_deviations.h"
 #include "solver/trajectory.h"
@@ -103,6 +104,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     PoseCovariance poses(problem, state);
     certainty = AssessCertainty(problem, state, &workspace, &poses);
     FillStandardDeviations(problem, poses, estimate);
+    diagnostics.headings = DescribeHeadings(problem, state, &poses);
     stage("covariance");
   } else {
     certainty.singular = FindSingular(problem, state, workspace);
@@ -112,6 +114,8 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   diagnostics.constants = DescribeConstants(problem, state, certainty);
   if (options_.covariance) diagnostics.held_by_prior = HeldByPrior(problem, certainty);
   diagnostics.notes = FarFromTold(problem, state);
+  for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
+    diagnostics.notes.push_back(note);
   diagnostics.rests = DescribeRests(problem);
   diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},
                          {"windows", static_cast<double>(windows.windows)},
