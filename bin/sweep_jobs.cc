@@ -9,6 +9,8 @@
 namespace brachium {
 namespace {
 
+constexpr std::size_t kMostShards = 1000;
+
 std::string Minutes(double seconds) {
   return std::to_string(static_cast<long>(std::ceil(seconds / 60.0)));
 }
@@ -31,7 +33,8 @@ std::string Head(const SweepJobs& jobs, const std::string& name, double seconds)
 
 std::size_t ShardsFor(std::size_t tasks, double task_seconds, double minutes) {
   const double wanted = std::ceil(static_cast<double>(tasks) * task_seconds / (60.0 * minutes));
-  return static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(tasks)));
+  return static_cast<std::size_t>(
+      std::clamp(wanted, 1.0, static_cast<double>(std::min(tasks, kMostShards))));
 }
 
 std::string ShellQuoted(const std::string& text) {

@@ -1,9 +1,7 @@
 // brachium sweep plan: which tasks a sweep has.
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <thread>
 
 #include "bin/commands.h"
