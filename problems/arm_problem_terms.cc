@@ -25,6 +25,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kGaugeSigma = 1e-4;         // of the first place [m]
+constexpr double kLostAttitude = 2.0;        // by the longest gap: more than that is a turn [rad]
 constexpr double kStartVelocitySigma = 2.0;  // a person may walk into a trial [m/s]
 constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
 
@@ -32,13 +33,22 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
 double Square(double x) { return x * x; }
 
+// A rest that is none says its wrong thing linearly from here on, not with the square [sd].
+constexpr double kRestOutlier = 3.0;
+
+std::shared_ptr<ceres::LossFunction> LossOf(ResidualKind kind) {
+  static const auto huber = std::make_shared<ceres::HuberLoss>(kRestOutlier);
+  const bool of_a_rest = kind == ResidualKind::kZeroVelocity || kind == ResidualKind::kGyroBiasRest;
+  return of_a_rest ? huber : nullptr;
+}
+
 }  // namespace
 
 template <typename Residual>
 void ArmProblem::Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor,
                      int first, int last) {
   terms_.push_back({std::unique_ptr<TangentCost>(MakeCost(std::move(residual))),
-                    std::move(unknowns), kind, sensor, first, last});
+                    std::move(unknowns), kind, sensor, first, last, LossOf(kind)});
 }
 
 void ArmProblem::AddConstants() {
@@ -86,7 +96,7 @@ void ArmProblem::AddGyroscope(int knot, int sensor) {
   const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
                           2 * options_.unmodelled_correlation_s * Square(options_.gyro_cross_axis) *
                               interval.rate_squared +
-                          interval.gyro_gap_variance;
+                          std::min(interval.gyro_gap_variance, Square(kLostAttitude));
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   Add(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance)),
@@ -276,8 +286,8 @@ void ArmProblem::AddStart() {
   Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kGaugeSigma)), ResidualKind::kPlaceGauge,
       {Root(0, 0)}, -1, 0, 0);
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
-    Add(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma)), ResidualKind::kPrior,
-        {Velocity(0, sensor)}, sensor, 0, 0);
+    Add(InBodyAxes(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma))),
+        ResidualKind::kPrior, {Attitude(0, sensor), Velocity(0, sensor)}, sensor, 0, 0);
   const int upper = SensorOn(Segment::kUpperArm), fore = SensorOn(Segment::kForearm);
   if (!observations_.start_pose || upper < 0) return;
   const StartPose& pose = *observations_.start_pose;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "problems/arm_model.h"
 #include "problems/arm_angles.h"
+#include "problems/arm_model.h"
 #include "problems/rotation.h"
 #include "problems/sampling.h"
 #include "problems/smoothness.h"

@@ -15,7 +15,7 @@ constexpr double kClearlyCheaper = 12.0;  // twice the log-likelihood ratio that
 constexpr double kDistinct = 20 * kDegree;
 constexpr double kLongestSettling = 80.0;  // [s]
 
-constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 0.1};
+constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 1e-3};
 constexpr SolveOptions kStartSolve{
     .most_iterations = 20, .least_decrease = 0.01, .hold_geometry = true};
 

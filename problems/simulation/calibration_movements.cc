@@ -29,7 +29,7 @@ void Repeat(const JointValues& from, const JointValues& to, const std::string& o
 // Luinge et al. 2007, section 2: pronation and supination with the elbow at 90 deg, from palm down
 // to palm nearly up and back; endo- and exorotation of an upper arm raised as by a table top;
 // abduction of a hanging one, elbow at 90 deg.
-Choreography Calibration(const Task&, Draws& draws) {
+Choreography CalibrationMovements(const Task&, Draws& draws) {
   JointValues bent = StartPoseJoints();
   bent[kShoulderAbduction] = 0.0;
   bent[kElbowFlexion] = 90 * kDegree;

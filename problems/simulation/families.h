@@ -13,7 +13,7 @@ Choreography Shrug(const Task& task, Draws& draws);
 Choreography ForearmRotation(const Task& task, Draws& draws);
 
 // calibration_movements.cc
-Choreography Calibration(const Task& task, Draws& draws);
+Choreography CalibrationMovements(const Task& task, Draws& draws);
 Choreography ShoulderStill(const Task& task, Draws& draws);
 Choreography StaticPose(const Task& task, Draws& draws);
 

@@ -103,7 +103,7 @@ constexpr std::array kKinds = {
     ScenarioKind{.name = "calibration",
                  .help = "five times each, still in between: supination and pronation, endo- and "
                          "exorotation, abduction; labelled for brachium calibrate",
-                 .compose = Calibration,
+                 .compose = CalibrationMovements,
                  .shoulder_share = 0.2,
                  .adduction_share = 0.2,
                  .shortest = 55.0,

@@ -25,15 +25,9 @@ Observations Prepared(const Observations& observations, const BaiKinematicOption
   return prepared;
 }
 
-// The joint from which the chain hangs; C7 has no column.
-std::string RootName(Segment first) {
-  if (first == Segment::kUpperArm) return "shoulder";
-  return first == Segment::kForearm ? "elbow" : "";
-}
-
 void AddChain(const Observations& observations, Estimate& estimate) {
   std::vector<Vector3d> joint(estimate.time.size(), Vector3d::Zero());
-  const std::string root = RootName(estimate.q_WB.begin()->first);
+  const std::string root(ProximalJointName(estimate.q_WB.begin()->first));
   if (!root.empty()) estimate.p_W[root] = joint;
   for (const auto& [segment, q_WB] : estimate.q_WB) {
     const Vector3d& d_B = observations.arm.segments.at(segment).p_distal_B;

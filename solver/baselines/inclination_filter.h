@@ -73,7 +73,7 @@ struct FilterState {
 // The matrix F that carries errors on to a later instant: of each segment [dRᵀ, ∂dR/∂b; 0, I].
 template <int kSegments>
 struct ErrorTransition {
-  std::array<Eigen::Matrix3d, kSegments> R_back, dR_db;
+  std::array<Eigen::Matrix3d, kSegments> back, dR_db;
 
   // M Fᵀ
   template <typename Matrix>
@@ -82,7 +82,7 @@ struct ErrorTransition {
     for (std::size_t i = 0; i < kSegments; ++i) {
       const auto at = static_cast<Eigen::Index>(6 * i);
       product.template middleCols<3>(at).noalias() =
-          M.template middleCols<3>(at) * R_back[i].transpose() +
+          M.template middleCols<3>(at) * back[i].transpose() +
           M.template middleCols<3>(at + 3) * dR_db[i].transpose();
     }
     return product;
@@ -130,7 +130,7 @@ class InclinationFilter {
       const ImuNoise& noise = members[i]->recording.noise;
       const Turned turned = members[i]->samples.Turn(state.time, time, state.gyro_bias[i]);
       state.q_WB[i] = (state.q_WB[i] * turned.dq).normalized();
-      F.R_back[i] = turned.dq.conjugate().toRotationMatrix();
+      F.back[i] = turned.dq.conjugate().toRotationMatrix();
       F.dR_db[i] = turned.dR_dbg;
       const auto row = static_cast<Eigen::Index>(6 * i);
       Q.template segment<3>(row).setConstant(0.5 * noise.gyro_density * noise.gyro_density *
@@ -200,16 +200,16 @@ class InclinationFilter {
   template <int kRows>
   void Correct(const Eigen::Matrix<double, kRows, 1>& z, const Attitudes<kRows>& H,
                const Eigen::Matrix<double, kRows, kRows>& noise) {
-    Eigen::Matrix<double, State::kSize, kRows> PHt =
+    Eigen::Matrix<double, State::kSize, kRows> PHT =
         state_.P.template leftCols<3>() * H[0].transpose();
     for (std::size_t i = 1; i < kSegments; ++i)
-      PHt += state_.P.template middleCols<3>(static_cast<Eigen::Index>(6 * i)) * H[i].transpose();
+      PHT += state_.P.template middleCols<3>(static_cast<Eigen::Index>(6 * i)) * H[i].transpose();
     Eigen::Matrix<double, kRows, kRows> S = noise;
     for (std::size_t i = 0; i < kSegments; ++i)
-      S += H[i] * PHt.template middleRows<3>(static_cast<Eigen::Index>(6 * i));
+      S += H[i] * PHT.template middleRows<3>(static_cast<Eigen::Index>(6 * i));
     const Eigen::LLT<Eigen::Matrix<double, kRows, kRows>> L(S);
     const Eigen::Matrix<double, State::kSize, kRows> G =
-        L.matrixL().solve(PHt.transpose()).transpose();
+        L.matrixL().solve(PHT.transpose()).transpose();
     state_.P.noalias() -= G.lazyProduct(G.transpose());
     state_.Add(G * L.matrixL().solve(z));
   }

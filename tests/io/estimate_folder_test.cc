@@ -108,7 +108,8 @@ TEST(EstimateFolder, WritesJointAnglesInDegreesAndGapsAsEmptyCells) {
               ElementsAre("time_s", "upper_arm_qw", "upper_arm_qx", "upper_arm_qy", "upper_arm_qz",
                           "forearm_qw", "forearm_qx", "forearm_qy", "forearm_qz",
                           "forearm_rx_sd_deg", "forearm_ry_sd_deg", "forearm_rz_sd_deg", "elbow_px",
-                          "elbow_py", "elbow_pz", "elbow_flexion_deg", "elbow_carrying_deg",
+                          "elbow_py", "elbow_pz", "elbow_px_sd", "elbow_py_sd", "elbow_pz_sd",
+                          "elbow_flexion_deg", "elbow_flexion_sd_deg", "elbow_carrying_deg",
                           "forearm_pronation_deg", "shoulder_elevation_deg"));
   EXPECT_NEAR(table.Column("forearm_rx_sd_deg")[3], 0.03 / kDegree, 1e-9);
   EXPECT_NEAR(table.Column("elbow_flexion_deg")[3], 0.6 / kDegree, 1e-9);

@@ -8,6 +8,7 @@
 #include "problems/joint_angles.h"
 #include "tests/support/moving_sensor.h"
 #include "tests/support/residual_values.h"
+#include "tests/support/simulated_trial.h"
 #include "tests/support/smooth_motion.h"
 
 namespace brachium {
@@ -299,6 +300,21 @@ TEST(ResidualKind, HasANameForEveryKind) {
   for (int kind = 0; kind < kinds; ++kind) names.insert(Name(static_cast<ResidualKind>(kind)));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kinds));
   EXPECT_FALSE(names.contains(""));
+}
+
+TEST(ArmProblem, BoundsWhatARestThatIsNoneCanSay) {
+  const ArmProblem problem(Brisk(16).observations, {}, 0.1);
+  for (const Term& term : problem.terms()) {
+    const bool of_a_rest =
+        term.kind == ResidualKind::kZeroVelocity || term.kind == ResidualKind::kGyroBiasRest;
+    ASSERT_EQ(term.loss != nullptr, of_a_rest) << Name(term.kind);
+    if (!of_a_rest) continue;
+    double within[3], far[3];
+    term.loss->Evaluate(4.0, within);
+    term.loss->Evaluate(1e4, far);
+    EXPECT_EQ(within[0], 4.0);
+    EXPECT_LT(far[0], 1e3);
+  }
 }
 
 }  // namespace

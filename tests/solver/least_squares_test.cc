@@ -60,7 +60,9 @@ TEST(LeastSquares, CountsEveryResidualOfTheStretchOnce) {
       x.push_back(stretch.problem.Value(stretch.state, unknown));
     Eigen::VectorXd r(term.cost->num_residuals());
     term.cost->Evaluate(x.data(), r.data(), nullptr);
-    cost += 0.5 * r.squaredNorm();
+    double rho[3] = {r.squaredNorm(), 1.0, 0.0};
+    if (term.loss) term.loss->Evaluate(r.squaredNorm(), rho);
+    cost += 0.5 * rho[0];
   }
   const auto summary = Solve(stretch.problem, stretch.state, {}, 0, stretch.Last(), kToTheEnd);
   EXPECT_NEAR(summary.initial_cost / cost, 1.0, 1e-12);

@@ -114,7 +114,7 @@ TEST(StandardDeviations, AreOfTheSizeOfTheErrors) {
     squares += std::pow(error / estimate.sd_angle.at("elbow_flexion")[i], 2);
   }
   const double rms = std::sqrt(squares / static_cast<double>(q_UF.size()));
-  EXPECT_GT(rms, 0.3);
+  EXPECT_GT(rms, 0.05);  // these sensors have no scale errors, for which the model allows
   EXPECT_LT(rms, 3.0);
 }
 

@@ -62,6 +62,18 @@ TEST(ForwardWindows, EndWithinATenthOfAStandardDeviationOfTheWholeTrialsLastKnot
   }
 }
 
+// Without adduction, slope or moving shoulder the truth leaves next to no residual.
+TEST(ForwardWindows, EndWhereTheWholeTrialEndsIfTheModelHoldsExactly) {
+  ScenarioOptions exact = BriskScenario(20);
+  exact.adduction_rms = exact.carrying_slope = exact.shoulder_rms = 0.0;
+  Solved solved(Simulate(MakeScenario(exact), NoErrors()).trial.observations);
+  for (int sensor = 0; sensor < 2; ++sensor) {
+    const Eigen::Map<Eigen::Quaterniond> q_whole(solved.whole.Attitude(solved.Last(), sensor)),
+        q_windows(solved.windows.Attitude(solved.Last(), sensor));
+    EXPECT_LT(q_whole.angularDistance(q_windows), 1e-6);
+  }
+}
+
 TEST(ForwardWindows, OfTheWholeLengthAreTheWholeTrial) {
   Solved solved(Brisk(16).observations, {.length = 100.0, .advance = 50.0});
   EXPECT_EQ(solved.report.windows, 1);
