@@ -37,12 +37,11 @@ const CommandHelp kHelp = {
     "Writes sweep.csv (a row per task), sweep.json (the points chosen) and figures beside the "
     "manifest. Recommends for each method the point of the least mean error, and says what a new "
     "trial may expect: the mean error of each trial at the point that all others choose. Exits "
-    "with "
-    "4, writing nothing, when tasks are missing or failed, unless --partial."};
+    "with 4, writing nothing, when tasks are missing or failed, unless --partial."};
 
-void RequireFigure(const std::string& figure, const std::vector<std::string>& columns) {
-  if (columns.empty() || std::find(columns.begin(), columns.end(), figure) != columns.end()) return;
-  const std::vector<std::string_view> known(columns.begin(), columns.end());
+void RequireFigure(const std::string& figure, const std::vector<std::string>& figures) {
+  if (figures.empty() || std::find(figures.begin(), figures.end(), figure) != figures.end()) return;
+  const std::vector<std::string_view> known(figures.begin(), figures.end());
   throw UsageError("--figure=" + figure + " is in none of the results" + DidYouMean(figure, known) +
                    " (known: " + Listed(known) + ")");
 }
@@ -79,17 +78,17 @@ std::string SweepText(const SweepTable& table) {
 
 int MergeSweep(const std::string& file, const std::string& figure, bool partial, bool overwrite) {
   const SweepManifest manifest(file);
-  std::vector<std::string> columns;
-  const SweepTable table = ReadSweep(manifest, figure, &columns);
+  SweepRows rows(manifest.folder());
+  const SweepTable table = ReadSweep(manifest, figure, &rows);
   if (!table.Complete() && !partial) {
     std::cerr << "brachium: " << table.missing << " tasks are missing and " << table.failed
               << " failed; see brachium sweep status, or say --partial\n";
     return kIncompleteSweep;
   }
-  RequireFigure(figure, columns);
+  RequireFigure(figure, rows.figures());
   {
     const WithoutInterruption writing;
-    WriteSweep(manifest, table, columns, overwrite);
+    WriteSweep(manifest.folder(), table, &rows, overwrite);
   }
   std::cout << SweepText(table) << "Merged into " << manifest.folder() << "/sweep.csv\n";
   return kGood;

@@ -59,7 +59,10 @@ class SweepRun {
     const WithoutInterruption writing;
     WriteSweepResult(manifest_.folder(), task, result);
     AppendTiming(manifest_.folder(), HostName(),
-                 {.task = index, .seconds = watch.Seconds(), .memory_mb = MostMemoryMb()});
+                 {.task = index,
+                  .method = task.method,
+                  .seconds = watch.Seconds(),
+                  .memory_mb = MostMemoryMb()});
     ++(result.IsFinal() ? counts_.done : counts_.failed);
   }
 

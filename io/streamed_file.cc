@@ -2,12 +2,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
-#include "io/file_bytes.h"
+#include "io/file_parts.h"
 
 namespace brachium {
 namespace {
@@ -22,6 +23,17 @@ std::string DraftOf(const std::string& path) {
   if (!folder.empty()) fs::create_directories(folder, error);
   if (error) throw OutputError(folder.string() + ": cannot be written (" + error.message() + ")");
   return path + ".partial." + std::to_string(getpid());
+}
+
+bool HaveTheSameBytes(const std::string& a, const std::string& b) {
+  const FileParts one(a), other(b);
+  bool same = one.size() == other.size();
+  std::size_t start = 0;
+  one.ForEach([&](std::string_view part) {
+    same = same && part == other.Read(start, part.size());
+    start += part.size();
+  });
+  return same;
 }
 
 }  // namespace
@@ -49,7 +61,7 @@ void StreamedFile::Commit(bool overwrite, const std::string& why) {
   file_.Close();
   std::error_code error;
   if (fs::is_regular_file(path_, error)) {
-    if (FileBytes(path_).text() == FileBytes(draft_).text()) return;
+    if (HaveTheSameBytes(path_, draft_)) return;
     if (!overwrite) throw OutputExists(path_ + ": " + why);
   }
   if (std::rename(draft_.c_str(), path_.c_str()) != 0)

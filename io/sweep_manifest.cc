@@ -1,7 +1,9 @@
 #include "io/sweep_manifest.h"
 
 #include <filesystem>
+#include <string_view>
 
+#include "io/file_bytes.h"
 #include "io/input_error.h"
 
 namespace brachium {
@@ -61,12 +63,15 @@ std::string ManifestLine(const SweepTask& task) {
          "\n";
 }
 
-SweepManifest::SweepManifest(const std::string& file) : file_(file), bytes_(file) {
-  const std::string_view text = bytes_.text();
-  for (std::size_t end = text.find('\n'); end != std::string_view::npos;
-       end = text.find('\n', end + 1))
-    ends_.push_back(end);
-  if (ends_.empty() || ends_.back() + 1 != text.size())
+SweepManifest::SweepManifest(const std::string& file) : file_(file), text_(file) {
+  std::size_t start = 0;
+  text_.ForEach([&](std::string_view part) {
+    for (std::size_t end = part.find('\n'); end != std::string_view::npos;
+         end = part.find('\n', end + 1))
+      ends_.push_back(start + end);
+    start += part.size();
+  });
+  if (ends_.empty() || ends_.back() + 1 != text_.size())
     throw InputError(file, ends_.size() + 1,
                      "is cut off; expected a line for each task, as brachium sweep plan writes");
 }
@@ -78,7 +83,7 @@ SweepTask SweepManifest::At(std::size_t index) const {
   };
   SweepTask task;
   try {
-    task = TaskFrom(Json::parse(bytes_.text().substr(start, ends_[index] - start)));
+    task = TaskFrom(Json::parse(text_.Read(start, ends_[index] - start)));
   } catch (const nlohmann::json::exception& error) {
     fail("is no task (" + std::string(error.what()) + ")");
   }

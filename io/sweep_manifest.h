@@ -9,10 +9,9 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "io/file_bytes.h"
+#include "io/file_parts.h"
 #include "io/run_info.h"
 
 namespace brachium {
@@ -54,7 +53,7 @@ class SweepManifest {
 
  private:
   std::string file_;
-  FileBytes bytes_;
+  FileParts text_;
   std::vector<std::size_t> ends_;  // of each line, before its newline
 };
 

@@ -7,27 +7,14 @@
 
 #include "io/file_bytes.h"
 #include "io/output_folder.h"
-#include "io/streamed_file.h"
 #include "io/sweep_figures.h"
 #include "io/sweep_results.h"
-#include "io/text.h"
 
 namespace brachium {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using Outcome = SweepResult::Outcome;
-
-constexpr const char* kOtherMerge =
-    "exists and says otherwise; say --overwrite to replace the older merge";
-
-std::string Quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + "\"";
-}
 
 Json NumberOrNull(double value) { return std::isnan(value) ? Json() : Json(value); }
 
@@ -86,70 +73,15 @@ std::string SweepJson(const SweepTable& table) {
          "\n";
 }
 
-std::vector<std::string> VariedIn(const SweepTable& table) {
-  std::vector<std::string> varied;
-  for (const SweptMethod& method : table.methods)
-    for (const std::string& option : method.options)
-      if (std::find(varied.begin(), varied.end(), option) == varied.end()) varied.push_back(option);
-  return varied;
-}
-
-std::string VariedCells(const SweepTask& task, const std::vector<std::string>& varied) {
-  std::string text;
-  for (const std::string& option : varied) {
-    text += ",";
-    if (const auto found = task.varied.find(option); found != task.varied.end())
-      text += found->is_string() ? Quoted(found->get<std::string>()) : found->dump();
-  }
-  return text;
-}
-
-std::string ResultCells(const std::optional<SweepResult>& result,
-                        const std::map<std::string, std::size_t>& places) {
-  if (!result) return std::string(",missing,,").append(places.size(), ',');
-  const bool done = result->outcome == Outcome::kDone;
-  std::string text = "," + NameOf(result->outcome) + "," +
-                     (done ? std::string(result->trusted ? "1" : "0") : "") + "," +
-                     Quoted(result->reason);
-  std::vector<std::string> cells(places.size());
-  for (const auto& [name, value] : result->figures) cells[places.at(name)] = Shortest(value);
-  for (const std::string& cell : cells) text += "," + cell;
-  return text;
-}
-
-// Reads the results once more, so that no more than a row is held. A result that appeared since
-// has no columns of its own.
-void WriteCsv(const SweepManifest& manifest, const std::vector<std::string>& varied,
-              const std::vector<std::string>& columns, bool overwrite) {
-  std::map<std::string, std::size_t> places;
-  for (const std::string& column : columns) places.emplace(column, places.size());
-  StreamedFile csv(manifest.folder() + "/sweep.csv");
-  std::string header = "task,trial,method";
-  for (const std::string& option : varied) header += "," + option;
-  header += ",outcome,trusted,reason";
-  for (const std::string& column : columns) header += "," + column;
-  csv.Append(header + "\n");
-  for (std::size_t i = 0; i < manifest.size(); ++i) {
-    const SweepTask task = manifest.At(i);
-    auto result = ReadSweepResult(manifest.folder(), task);
-    if (result)
-      std::erase_if(result->figures, [&](const auto& f) { return !places.contains(f.first); });
-    csv.Append(std::to_string(i) + "," + Quoted(task.trial) + "," + task.method +
-               VariedCells(task, varied) + ResultCells(result, places) + "\n");
-  }
-  csv.Commit(overwrite, kOtherMerge);
-}
-
 struct Spent {
   std::size_t tasks = 0;
   double seconds = 0.0, most_seconds = 0.0, most_memory_mb = 0.0;
 };
 
-std::string TimingJson(const SweepManifest& manifest) {
+std::string TimingJson(const std::string& folder) {
   std::map<std::string, Spent> methods;
-  ForEachTiming(manifest.folder(), [&](const TaskTiming& timing) {
-    if (timing.task >= manifest.size()) return;
-    Spent& spent = methods[manifest.At(timing.task).method];
+  ForEachTiming(folder, [&](const TaskTiming& timing) {
+    Spent& spent = methods[timing.method];
     ++spent.tasks;
     spent.seconds += timing.seconds;
     spent.most_seconds = std::max(spent.most_seconds, timing.seconds);
@@ -173,17 +105,17 @@ bool HoldsPartialMerge(const std::string& file) {
 
 }  // namespace
 
-void WriteSweep(const SweepManifest& manifest, const SweepTable& table,
-                const std::vector<std::string>& columns, bool overwrite) {
-  const std::string folder = manifest.folder() + "/";
-  const bool replace = overwrite || HoldsPartialMerge(folder + "sweep.json");
-  const std::string json = SweepJson(table);
-  if (!replace && fs::exists(folder + "sweep.json"))
-    WriteOneFile(folder + "sweep.json", json, false);
-  for (const auto& [name, svg] : SweepFigures(table)) WriteOneFile(folder + name, svg, true);
-  WriteCsv(manifest, VariedIn(table), columns, replace);
-  WriteOneFile(folder + "timing.json", TimingJson(manifest), true);
-  WriteOneFile(folder + "sweep.json", json, replace);
+void WriteSweep(const std::string& folder, const SweepTable& table, SweepRows* rows,
+                bool overwrite) {
+  const std::string file = folder + "/sweep.json", json = SweepJson(table);
+  const bool replace = overwrite || HoldsPartialMerge(file);
+  if (!replace && fs::exists(file)) WriteOneFile(file, json, false);
+  for (const auto& [name, svg] : SweepFigures(table)) WriteOneFile(folder + "/" + name, svg, true);
+  StreamedFile csv(folder + "/sweep.csv");
+  rows->WriteTo(&csv);
+  csv.Commit(replace, "exists and says otherwise; say --overwrite to replace the older merge");
+  WriteOneFile(folder + "/timing.json", TimingJson(folder), true);
+  WriteOneFile(file, json, replace);
 }
 
 }  // namespace brachium

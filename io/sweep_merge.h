@@ -12,20 +12,19 @@
 
 #include <string>
 
-#include "io/sweep_manifest.h"
+#include "io/sweep_rows.h"
 #include "problems/sweep_table.h"
 
 namespace brachium {
 
 inline constexpr const char* kUsualSweepFigure = "relative.forearm_in_upper_arm.rmse_deg";
 
-// Reads all results; `columns` receives the names of all figures, in the order of their appearance.
-SweepTable ReadSweep(const SweepManifest& manifest, const std::string& figure,
-                     std::vector<std::string>* columns);
+// Reads all results, each once; `rows` receives those of sweep.csv.
+SweepTable ReadSweep(const SweepManifest& manifest, const std::string& figure, SweepRows* rows);
 
-// Writes the files above. A merge of an incomplete sweep may always be replaced. Throws
-// OutputExists where another complete merge stands, unless `overwrite`; OutputError.
-void WriteSweep(const SweepManifest& manifest, const SweepTable& table,
-                const std::vector<std::string>& columns, bool overwrite);
+// Writes the files above into the sweep's folder. A merge of an incomplete sweep may always be
+// replaced. Throws OutputExists where another complete merge stands, unless `overwrite`; OutputError.
+void WriteSweep(const std::string& folder, const SweepTable& table, SweepRows* rows,
+                bool overwrite);
 
 }  // namespace brachium

@@ -1,7 +1,7 @@
 #include <limits>
-#include <map>
 #include <utility>
 
+#include "io/name_places.h"
 #include "io/sweep_merge.h"
 #include "io/sweep_results.h"
 
@@ -10,21 +10,6 @@ namespace {
 
 using Outcome = SweepResult::Outcome;
 
-// Numbers names in the order of their appearance.
-class Places {
- public:
-  std::size_t Of(const std::string& name) {
-    const auto [found, is_new] = places_.emplace(name, names_.size());
-    if (is_new) names_.push_back(name);
-    return found->second;
-  }
-  const std::vector<std::string>& names() const { return names_; }
-
- private:
-  std::map<std::string, std::size_t> places_;
-  std::vector<std::string> names_;
-};
-
 struct Cell {
   std::size_t trial, point;
   double error, adduction;
@@ -32,7 +17,7 @@ struct Cell {
 
 struct MethodCells {
   SweptMethod method;
-  Places points{};
+  NamePlaces points{};
   std::vector<Cell> cells{};
 };
 
@@ -79,22 +64,20 @@ void Fill(MethodCells* cells, std::size_t trials) {
 
 }  // namespace
 
-SweepTable ReadSweep(const SweepManifest& manifest, const std::string& figure,
-                     std::vector<std::string>* columns) {
+SweepTable ReadSweep(const SweepManifest& manifest, const std::string& figure, SweepRows* rows) {
   SweepTable table{.figure = figure};
-  Places trials, methods, figures;
+  NamePlaces trials, methods;
   std::vector<MethodCells> cells;
   for (std::size_t i = 0; i < manifest.size(); ++i) {
     const SweepTask task = manifest.At(i);
     const auto result = ReadSweepResult(manifest.folder(), task);
     Count(result, &table);
+    rows->Append(task, result);
     const std::size_t trial = trials.Of(task.trial), m = methods.Of(task.method);
     if (m == cells.size()) cells.push_back({.method = {.method = task.method}});
     const std::size_t point = cells[m].points.Of(task.varied.dump());
     if (point == cells[m].method.points.size()) AddPoint(task, &cells[m].method);
-    if (!result) continue;
-    for (const auto& [name, value] : result->figures) figures.Of(name);
-    if (result->outcome == Outcome::kDone)
+    if (result && result->outcome == Outcome::kDone)
       cells[m].cells.push_back(
           {trial, point, FigureOf(*result, figure), FigureOf(*result, "adduction.rms_deg")});
   }
@@ -103,7 +86,6 @@ SweepTable ReadSweep(const SweepManifest& manifest, const std::string& figure,
     Fill(&method, table.trials.size());
     table.methods.push_back(std::move(method.method));
   }
-  *columns = figures.names();
   return table;
 }
 

@@ -115,7 +115,10 @@ void AppendTiming(const std::string& folder, const std::string& host, const Task
   fs::create_directories(folder + "/timing", ignored);
   std::ofstream(folder + "/timing/" + host + "-" + std::to_string(getpid()) + ".jsonl",
                 std::ios::app)
-      << Json{{"task", timing.task}, {"seconds", timing.seconds}, {"memory_mb", timing.memory_mb}}
+      << Json{{"task", timing.task},
+              {"method", timing.method},
+              {"seconds", timing.seconds},
+              {"memory_mb", timing.memory_mb}}
                  .dump() +
              "\n";
 }
@@ -131,6 +134,7 @@ void ForEachTiming(const std::string& folder, const std::function<void(const Tas
     for (std::string line; std::getline(stream, line);) try {
         const Json json = Json::parse(line);
         visit({.task = json.at("task"),
+               .method = json.at("method"),
                .seconds = json.at("seconds"),
                .memory_mb = json.at("memory_mb")});
       } catch (const nlohmann::json::exception&) {

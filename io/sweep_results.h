@@ -2,7 +2,7 @@
 //
 // results/000/000123.json   of a task: task, key, outcome ("done", "refused", "failed",
 //                           "unreadable"), trusted, reason, figures. The same bytes whoever made it.
-// timing/HOST-PID.jsonl     of the program that ran it, a line a task: task, seconds, memory_mb
+// timing/HOST-PID.jsonl     of the program that ran it, a line a task: task, method, seconds, memory_mb
 #pragma once
 
 #include <cstddef>
@@ -44,6 +44,7 @@ std::vector<std::pair<std::string, double>> FiguresOf(const Evaluation& evaluati
 
 struct TaskTiming {
   std::size_t task = 0;
+  std::string method{};
   double seconds = 0.0;
   double memory_mb = 0.0;  // the most that the program had held until then
 };
