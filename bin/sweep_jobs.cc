@@ -44,11 +44,12 @@ std::string ShellQuoted(const std::string& text) {
 }
 
 std::string ArrayScript(const SweepJobs& jobs) {
-  const std::string throttle = jobs.at_a_time > 0 ? "%" + std::to_string(jobs.at_a_time) : "";
+  std::string array = ArraySpecification(jobs.open_shards);
+  if (jobs.at_a_time > 0) array.append("%").append(std::to_string(jobs.at_a_time));
   return Head(jobs, "brachium_sweep", 3.0 * jobs.shard_seconds + 600.0) +
-         Directive("array", ArraySpecification(jobs.open_shards) + throttle) +
-         "#SBATCH --requeue\n" + Directive("signal", "B:TERM@30") + "exec " +
-         ShellQuoted(jobs.program) + " sweep run --manifest=" + ShellQuoted(jobs.manifest) +
+         Directive("array", array) + "#SBATCH --requeue\n" + Directive("signal", "B:TERM@30") +
+         "exec " + ShellQuoted(jobs.program) +
+         " sweep run --manifest=" + ShellQuoted(jobs.manifest) +
          " --shard=\"$SLURM_ARRAY_TASK_ID\"/" + std::to_string(jobs.shards) + "\n";
 }
 

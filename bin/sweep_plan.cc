@@ -48,7 +48,8 @@ const CommandHelp kHelp = {
     "--trials=LIST --output=DIR [--method=A,B] [--vary='NAME=1:30:15:log;NAME=1,2'] [flags]",
     "Writes OUTPUT/manifest.jsonl, a task a line: trial, method, all its options, checksums of the "
     "inputs. A manifest is never changed: the same plan again is fine, another one is refused. "
-    "Says how many tasks there are and, from one solve by each method, how long they will take."};
+    "Says how many tasks there are and, from one solve by each method, how long they will take. "
+    "Standard deviations enter no figure of a sweep, so --covariance is off here."};
 
 struct PlannedTrial {
   NamedFolder place;
@@ -136,6 +137,7 @@ int RunSweepPlan(CommandLine& line) {
   PlanFlags flags;
   const std::vector<std::string> names = MethodsFrom("method", line.Peek("method", flags.method));
   MethodFlags method_flags("method", names);
+  method_flags.Preset("covariance", false);  // enters no figure of a sweep
   line.Add("Flags", flags);
   line.Add("Flags of the methods", method_flags);
   if (ShowHelp(line, kHelp)) return kGood;

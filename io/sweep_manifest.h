@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -37,24 +38,36 @@ std::string KeyOf(const SweepTask& task);
 // The task as its line of the manifest, with a newline.
 std::string ManifestLine(const SweepTask& task);
 
-// A manifest on the disk; a task is read when it is asked for, so that a long one costs no memory.
+// A manifest on the disk. A task is looked up when it is asked for, by bisection unless it is the
+// next one: whoever runs a part of a long sweep reads that part, and none of it is held.
 class SweepManifest {
  public:
   // Throws InputError when there is no such file, it is empty, or its last line is cut off.
   explicit SweepManifest(const std::string& file);
 
-  std::size_t size() const { return ends_.size(); }
+  std::size_t size() const { return size_; }
 
-  // Throws InputError file:line for a line that is no task, or whose key is not its own.
+  // From any thread. Throws InputError file:line for a line that is no task, or whose key is not its
+  // own.
   SweepTask At(std::size_t index) const;
 
   const std::string& file() const { return file_; }
   std::string folder() const;  // that it is in: results are beside it
 
  private:
+  struct Place {
+    std::size_t index, start;  // of a task, and of its line [byte]
+  };
+
+  SweepTask Parse(const std::string& line, std::size_t index) const;
+  std::string LineOf(std::size_t index) const;
+  std::size_t StartOf(std::size_t index) const;
+
   std::string file_;
   FileParts text_;
-  std::vector<std::size_t> ends_;  // of each line, before its newline
+  std::size_t size_ = 0;
+  mutable std::mutex mutex_;
+  mutable Place next_{0, 0};  // behind the task that was asked for last
 };
 
 }  // namespace brachium

@@ -61,9 +61,10 @@ TEST_F(SweepPlan, RefusesUnknownOptionsWithTheNearest) {
 }
 
 TEST_F(SweepPlan, TakesValuesOfEveryKindThatAnOptionHas) {
-  for (const char* vary :
-       {"covariance=true,false", "solver=chain,ceres", "weight_iterations=0,1,2",
-        "weight_iterations=0:4:3:lin", "window_s=5", "knot_spacing_s=0.05:0.2:3:log;window_s=4,6"})
+  for (const char* vary : {"covariance=true,false", "solver=chain,ceres", "weight_iterations=0,1,2",
+                           "weight_iterations=0:4:3:lin", "window_s=5",
+                           "elbow_adduction_sigma_deg=1:30:15:log;shoulder_sigma_m=0.01,0.03,0.1",
+                           "knot_spacing_s=0.05:0.2:3:log;window_s=4,6"})
     EXPECT_EQ(Parsed(vary).exit_code, 2) << vary;
 }
 
@@ -98,7 +99,7 @@ TEST_F(SweepPlan, RefusesWhatIsNoGridAndSaysWhatWasExpected) {
   }
   for (const char* vary : {"weight_iterations=1.5", "weight_iterations=0:3:3:lin", "covariance=yes",
                            "covariance=0:1:2:lin", "solver=", "window_s", "window_s=1;window_s=2",
-                           "solver=none", "knot_spacing_s=-1", "=1", ";"})
+                           "solver=none", "knot_spacing_s=-1", "shoulder_sigma_m=-1", "=1", ";"})
     EXPECT_EQ(Parsed(vary).exit_code, 1) << vary;
 }
 

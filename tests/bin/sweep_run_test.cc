@@ -77,6 +77,29 @@ TEST_F(SweepRun, FindsTheFiguresOfEvaluate) {
   EXPECT_GT(figures["adduction.rms_deg"], 0.0);
 }
 
+TEST_F(SweepRun, FindsTheSameFiguresWithoutStandardDeviations) {
+  ASSERT_EQ(Plan(Trial("one"), "smoother", "covariance=true,false").exit_code, 0);
+  ASSERT_EQ(Sweep("run").exit_code, 0);
+  const json with = Result("000000"), without = Result("000001");
+  EXPECT_EQ(with["figures"], without["figures"]);
+  EXPECT_EQ(with["trusted"], without["trusted"]);
+}
+
+TEST_F(SweepRun, TakesTheShouldersSigmaFromItsOptionBeforeTheTrial) {
+  Trial("told");
+  Trial("loose");
+  json trial = json::parse(ReadText(Path("loose/trial.json")));
+  trial["arm"]["shoulder"]["sigma_m"] = 0.1;
+  Write("loose/trial.json", trial.dump());
+  ASSERT_EQ(
+      Plan(Path("told") + "," + Path("loose"), "smoother", "shoulder_sigma_m=0,0.1").exit_code, 0);
+  ASSERT_EQ(Sweep("run").exit_code, 0);
+  const json figures = Result("000001")["figures"];
+  EXPECT_NE(Result("000000")["figures"], figures);
+  EXPECT_EQ(Result("000002")["figures"], figures);
+  EXPECT_EQ(Result("000003")["figures"], figures);
+}
+
 TEST_F(SweepRun, GoesOnAfterBeingKilledAtAnyMoment) {
   PlanSmall();
   ASSERT_EQ(Sweep("run").exit_code, 0);
