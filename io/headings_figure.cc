@@ -4,6 +4,7 @@
 
 #include "io/plot/chart.h"
 #include "io/plot/palette.h"
+#include "problems/arm_model.h"
 
 namespace brachium {
 namespace {

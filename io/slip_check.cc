@@ -66,8 +66,8 @@ constexpr int kErrors = 9;
 struct Instant {
   double time = 0.0;  // [s]
   double residual = 0.0;
-  Eigen::Matrix<double, 6, 1> d_place;
-  Eigen::Matrix<double, 2 * kErrors, 1> d_errors;
+  Eigen::Matrix<double, 6, 1> d_place{};
+  Eigen::Matrix<double, 2 * kErrors, 1> d_errors{};
 };
 
 Instant At(const ElbowSensors& sensors, std::size_t k) {

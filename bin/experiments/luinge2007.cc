@@ -244,6 +244,12 @@ std::vector<std::string> Routines(bool quick) {
 
 ExperimentPlan PlanLuinge2007(bool quick) {
   ExperimentPlan plan;
+  ExperimentTrial calibration{
+      .name = kCalibrationTrial, .movement = {}, .errors = HonestErrors(MtxNoise())};
+  calibration.movement.name = "calibration";
+  calibration.movement.duration = UsualDuration(calibration.movement);
+  calibration.errors.tell_mountings = false;
+  plan.trials.push_back(calibration);
   for (const std::string& trial : TrialNames(quick)) {
     plan.trials.push_back(TrialOf(trial, 1));
     for (const double sigma : SmootherSigmasDeg(quick)) AddSmoother(trial, sigma, plan);
