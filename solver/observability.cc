@@ -128,7 +128,14 @@ void AddDeviations(const ArmProblem& problem, const PoseCovariance& covariance, 
   }
 }
 
-std::string Seconds(double time) { return std::to_string(static_cast<int>(std::lround(time))); }
+std::string Whole(double value) { return std::to_string(static_cast<int>(std::lround(value))); }
+
+// From one span to another, both included.
+std::string Stretch(const std::vector<double>& middles, std::size_t first, std::size_t last) {
+  if (middles.size() == 1) return "throughout";
+  const double half = 0.5 * (middles[1] - middles[0]);
+  return "from " + Whole(middles[first] - half) + " to " + Whole(middles[last] + half) + " s";
+}
 
 }  // namespace
 
@@ -153,7 +160,6 @@ std::vector<std::string> HeadingsNotHeld(const std::vector<HeadingSupport>& head
   std::vector<std::string> sentences;
   for (const HeadingSupport& support : headings) {
     if (support.sd.empty()) continue;
-    const double half = 0.5 * (support.time.size() > 1 ? support.time[1] - support.time[0] : kSpan);
     for (std::size_t i = 0; i < support.sd.size(); ++i) {
       const std::size_t first = i;
       double most = 0.0;
