@@ -166,11 +166,10 @@ std::vector<std::string> HeadingsNotHeld(const std::vector<HeadingSupport>& head
       for (; i < support.sd.size() && support.sd[i] > kNotHeld; ++i)
         most = std::max(most, support.sd[i]);
       if (i == first) continue;
-      sentences.push_back(
-          "The heading of the " + std::string(Name(support.segment)) + " against the " +
-          std::string(Name(support.against)) + " is little held from " +
-          Seconds(support.time[first] - half) + " to " + Seconds(support.time[i - 1] + half) +
-          " s: its standard deviation is up to " + Seconds(most / kDegree) + " deg");
+      sentences.push_back("The heading of the " + std::string(Name(support.segment)) +
+                          " against the " + std::string(Name(support.against)) +
+                          " is little held " + Stretch(support.time, first, i - 1) +
+                          ": its standard deviation is up to " + Whole(most / kDegree) + " deg");
     }
   }
   return sentences;

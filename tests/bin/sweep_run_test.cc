@@ -127,7 +127,9 @@ TEST_F(SweepRun, EndsOnTerminationWith143AndLosesNothing) {
   EXPECT_GT(results.size(), 1u);
   EXPECT_LT(results.size(), 41u);
   for (const auto& [name, text] : results)
-    if (name.starts_with("results")) EXPECT_EQ(json::parse(text)["outcome"], "done");
+    if (name.starts_with("results")) {
+      EXPECT_EQ(json::parse(text)["outcome"], "done");
+    }
 }
 
 TEST_F(SweepRun, LeavesARecordOfATaskThatFailsAndTriesItAgain) {
