@@ -91,7 +91,7 @@ double Rmse(const ExperimentResults& results, const std::string& trial, const st
 // Of the forearm in the upper arm, if each sensor's attitude were known exactly.
 double LeastRmse(const SimulatedTrial& trial) {
   const auto& reference = trial.trial.reference->q_VB;
-  const auto& known = trial.q_VB_by_sensors;
+  const auto& known = trial.sensors_q_VB;
   std::vector<double> errors;
   for (std::size_t i = 0; i < trial.trial.reference->time.size(); ++i) {
     const auto elbow = [i](const auto& q_VB) {
