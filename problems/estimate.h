@@ -42,7 +42,7 @@ struct Epoch {
 struct HeadingSupport {
   Segment segment = Segment::kForearm, against = Segment::kUpperArm;
   std::vector<double> time;  // middles of the spans [s]
-  std::vector<double> sd;    // greatest in the span; empty where none was asked for [rad]
+  std::vector<double> sd;    // greatest in the span [rad]
   // By kind of residual, where it brings any: what it alone would hold the heading to by what
   // happens in the span; infinite where nothing does [rad].
   std::map<std::string, std::vector<double>> sd_by;

@@ -107,7 +107,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     PoseCovariance poses(problem, state);
     certainty = AssessCertainty(problem, state, &workspace, &poses);
     FillStandardDeviations(problem, poses, estimate);
-    diagnostics.headings = DescribeHeadings(problem, state, &poses);
+    diagnostics.headings = DescribeHeadings(problem, state, poses);
     stage("covariance");
   } else {
     certainty.singular = FindSingular(problem, state, workspace);

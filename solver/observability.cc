@@ -140,7 +140,7 @@ std::string Stretch(const std::vector<double>& middles, std::size_t first, std::
 }  // namespace
 
 std::vector<HeadingSupport> DescribeHeadings(const ArmProblem& problem, const State& state,
-                                             const PoseCovariance* covariance) {
+                                             const PoseCovariance& covariance) {
   std::vector<HeadingSupport> headings;
   const Spans spans(problem);
   for (int sensor = 1; sensor < problem.size().sensors; ++sensor) {
@@ -150,7 +150,7 @@ std::vector<HeadingSupport> DescribeHeadings(const ArmProblem& problem, const St
                            .sd = {},
                            .sd_by = {}};
     AddInformation(problem, state, sensor, spans, support);
-    if (covariance) AddDeviations(problem, *covariance, sensor, spans, support);
+    AddDeviations(problem, covariance, sensor, spans, support);
     headings.push_back(std::move(support));
   }
   return headings;
@@ -159,7 +159,6 @@ std::vector<HeadingSupport> DescribeHeadings(const ArmProblem& problem, const St
 std::vector<std::string> HeadingsNotHeld(const std::vector<HeadingSupport>& headings) {
   std::vector<std::string> sentences;
   for (const HeadingSupport& support : headings) {
-    if (support.sd.empty()) continue;
     for (std::size_t i = 0; i < support.sd.size(); ++i) {
       const std::size_t first = i;
       double most = 0.0;

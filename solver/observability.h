@@ -17,9 +17,9 @@
 
 namespace brachium {
 
-// One for each sensor of the arm but the first. `covariance`: null leaves sd empty.
+// One for each sensor of the arm but the first.
 std::vector<HeadingSupport> DescribeHeadings(const ArmProblem& problem, const State& state,
-                                             const PoseCovariance* covariance);
+                                             const PoseCovariance& covariance);
 
 // A sentence for each stretch in which a heading's standard deviation exceeds 10 deg.
 std::vector<std::string> HeadingsNotHeld(const std::vector<HeadingSupport>& headings);
