@@ -100,7 +100,7 @@ struct ErrorFlags {
     visit("lever_arm_error_m", flags.lever_arm_error_m,
           "Distance from the stated to the true place of each sensor [m].");
     visit("mounting_error_deg", flags.mounting_error_deg,
-          "Angle from the stated to the true rotation of each sensor [deg].");
+          "Angle from the stated to the true rotation of each sensor [deg]; 0: stated as exact.");
     visit("length_error_m", flags.length_error_m, "Error of each stated segment length [m].");
     visit("start_pose_error_deg", flags.start_pose_error_deg,
           "Sd of the stated start angles [deg].");

@@ -207,6 +207,12 @@ double JsonNode::Number() const {
   return value_->get<double>();
 }
 
+double JsonNode::NumberFromZero() const {
+  const double number = Number();
+  if (!(number >= 0.0)) Fail("is " + Shortest(number) + "; expected zero or a greater number");
+  return number;
+}
+
 double JsonNode::PositiveNumber() const {
   const double number = Number();
   if (!(number > 0.0)) Fail("is " + Shortest(number) + "; expected a number greater than zero");

@@ -40,6 +40,7 @@ class JsonNode {
   std::string Text() const;
   bool Truth() const;
   double Number() const;          // finite
+  double NumberFromZero() const;  // >= 0
   double PositiveNumber() const;  // > 0
   std::vector<double> Numbers(std::size_t count) const;
 

@@ -56,7 +56,10 @@ Mounting ParseMounting(const JsonNode& node, const SegmentGeometry& segment, Fin
   node.WarnOfUnknownKeys(kMountingKeys, &findings->warnings);
   Mounting mounting;
   mounting.q_BS = ParseRotation(node.At("q_BS_wxyz"));
-  mounting.q_sigma = PositiveNumberOr(node, "q_sigma_deg", 2, "deg", findings) * kDegree;
+  if (const auto q_sigma = node.Find("q_sigma_deg"))
+    mounting.q_sigma = q_sigma->NumberFromZero() * kDegree;
+  else
+    NoteDefault(node, "q_sigma_deg", "2 deg", findings);
   const auto position = node.Find("p_BS_m");
   mounting.p_BS_B = position ? ParsePosition(*position) : 0.5 * segment.p_distal_B;
   if (!position) NoteDefault(node, "p_BS_m", "half-way to the distal joint", findings);

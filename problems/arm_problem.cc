@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/rotation.h"
+
 namespace brachium {
 namespace {
 
@@ -24,6 +26,8 @@ std::string_view Name(ResidualKind kind) {
       return "elbow_adduction";
     case ResidualKind::kAdductionProcess:
       return "adduction_process";
+    case ResidualKind::kSkinProcess:
+      return "skin_process";
     case ResidualKind::kShoulderProcess:
       return "shoulder_process";
     case ResidualKind::kZeroVelocity:
@@ -54,13 +58,13 @@ std::string_view Name(ResidualKind kind) {
 
 int Unknown::Size() const {
   if (kind == UnknownKind::kAttitude) return 4;
-  if (kind == UnknownKind::kAdduction) return 1;
+  if (kind == UnknownKind::kAdduction || kind == UnknownKind::kClockOffset) return 1;
   return kind == UnknownKind::kCarryingAngle ? 2 : 3;
 }
 
 ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& options,
-                       double knot_spacing)
-    : observations_(observations), options_(options) {
+                       double knot_spacing, int clock_sensor)
+    : observations_(observations), options_(options), clock_sensor_(clock_sensor) {
   for (const Recording& recording : observations_.recordings) {
     preintegrators_.emplace_back(recording);
     rests_.push_back(DetectRests(recording, {}));
@@ -70,7 +74,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   has_thorax_ = observations_.recordings[0].segment == Segment::kThorax;
   size_ = {sensors, has_thorax_ && sensors > 1 ? 2 : 1, static_cast<int>(timeline_.knots.size()),
            static_cast<int>(timeline_.nodes.size())};
-  per_knot_ = 3 * sensors + size_.roots + 1;  // and the elbow's deviation
+  per_knot_ = 4 * sensors + size_.roots + 1;  // and the elbow's deviation
   first_node_ = per_knot_ * size_.knots;
   first_constant_ = first_node_ + sensors * size_.nodes;
   unmodelled_.assign(U(sensors), {options.unmodelled_acceleration, options.unmodelled_quiver});
@@ -89,6 +93,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
     }
   for (int knot = 0; knot < size_.knots; ++knot)
     for (int sensor = 0; sensor < sensors; ++sensor) AddChain(knot, sensor);
+  for (int sensor = 0; sensor < sensors; ++sensor) AddSkin(sensor);
   AddElbow();
   AddShoulder();
   for (int sensor = 0; sensor < sensors; ++sensor) {
@@ -111,7 +116,8 @@ Unknown ArmProblem::Describe(int unknown) const {
   if (rest < size_.sensors + size_.roots) return {UnknownKind::kRoot, knot, rest - size_.sensors};
   const int motion = rest - size_.sensors - size_.roots;
   if (motion < size_.sensors) return {UnknownKind::kVelocity, knot, motion};
-  return {UnknownKind::kPlace, knot, motion - size_.sensors};
+  if (motion < 2 * size_.sensors) return {UnknownKind::kPlace, knot, motion - size_.sensors};
+  return {UnknownKind::kSkin, knot, motion - 2 * size_.sensors, options_.soft_tissue_deg == 0.0};
 }
 
 double* ArmProblem::Value(State& state, int unknown) const {
@@ -125,6 +131,8 @@ double* ArmProblem::Value(State& state, int unknown) const {
       return state.Velocity(u.place, u.sensor);
     case UnknownKind::kPlace:
       return state.Place(u.place, u.sensor);
+    case UnknownKind::kSkin:
+      return state.Skin(u.place, u.sensor);
     case UnknownKind::kAdduction:
       return state.Adduction(u.place);
     case UnknownKind::kGyroBias:
@@ -154,16 +162,36 @@ Vector3d ArmProblem::PlaceOnChain(const State& state, int knot, int sensor) cons
   for (const int link : Chain(sensor)) {
     const UnknownKind lever =
         link == sensor ? UnknownKind::kSensorPosition : UnknownKind::kJointVector;
-    p_W += Eigen::Map<const Eigen::Quaterniond>(state.Attitude(knot, link)) *
-           Vector(state.Constant(lever, link));
+    p_W += SegmentAttitude(state, knot, link) * Vector(state.Constant(lever, link));
   }
   return p_W;
+}
+
+Eigen::Quaterniond ArmProblem::SegmentAttitude(const State& state, int knot, int sensor) const {
+  using Vector = Eigen::Map<const Vector3d>;
+  const Vector3d turn =
+      Vector(state.Constant(UnknownKind::kMounting, sensor)) + Vector(state.Skin(knot, sensor));
+  return Eigen::Map<const Eigen::Quaterniond>(state.Attitude(knot, sensor)) * Exp<double>(-turn);
 }
 
 int ArmProblem::SensorOn(Segment segment) const {
   for (std::size_t i = 0; i < observations_.recordings.size(); ++i)
     if (observations_.recordings[i].segment == segment) return static_cast<int>(i);
   return -1;
+}
+
+bool ArmProblem::HasElbow() const {
+  return SensorOn(Segment::kForearm) > 0 && SensorOn(Segment::kUpperArm) >= 0 &&
+         observations_.arm.elbow.adduction_constraint;
+}
+
+double ArmProblem::UntestedMountingSigma(int sensor) const {
+  const Recording& recording = observations_.recordings[U(sensor)];
+  if (!recording.mounting || !options_.estimate_mountings) return 0.0;
+  const bool at_elbow =
+      recording.segment == Segment::kUpperArm || recording.segment == Segment::kForearm;
+  const bool told_from_skin = options_.soft_tissue_deg == 0.0;
+  return at_elbow && HasElbow() && told_from_skin ? 0.0 : recording.mounting->q_sigma;
 }
 
 State ArmProblem::PriorState() const {

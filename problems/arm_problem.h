@@ -27,6 +27,7 @@ enum class ResidualKind {
   kSegmentChain,
   kElbowAdduction,
   kAdductionProcess,
+  kSkinProcess,
   kShoulderProcess,
   kZeroVelocity,
   kGyroBiasRest,
@@ -44,10 +45,11 @@ std::string_view Name(ResidualKind kind);
 
 struct Unknown {
   UnknownKind kind = UnknownKind::kAttitude;
-  int place = -1;   // knot or node; -1 for a constant of the trial
-  int sensor = -1;  // or root
+  int place = -1;     // knot or node; -1 for a constant of the trial
+  int sensor = -1;    // or root
+  bool held = false;  // a number, that nothing is asked about
   int Size() const;
-  int Tangent() const { return TangentSize(Size()); }
+  int Tangent() const { return held ? 0 : TangentSize(Size()); }
 };
 
 struct Term {
@@ -70,7 +72,9 @@ struct Unmodelled {
 class ArmProblem {
  public:
   // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
-  ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing);
+  // `clock_sensor`: whose clock is the true time.
+  ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing,
+             int clock_sensor = 0);
 
   const Timeline& timeline() const { return timeline_; }
   const StateSize& size() const { return size_; }
@@ -86,6 +90,7 @@ class ArmProblem {
     return knot * per_knot_ + size_.sensors + size_.roots + sensor;
   }
   int Place(int knot, int sensor) const { return Velocity(knot, size_.sensors) + sensor; }
+  int Skin(int knot, int sensor) const { return Place(knot, size_.sensors) + sensor; }
   int Adduction(int knot) const { return knot * per_knot_ + per_knot_ - 1; }
   int GyroBias(int node, int sensor) const { return first_node_ + node * size_.sensors + sensor; }
   int Constant(UnknownKind kind, int sensor) const;  // -1 where the problem has none
@@ -96,6 +101,13 @@ class ArmProblem {
   int RootOf(int sensor) const { return has_thorax_ && sensor > 0 ? 1 : 0; }
   int FirstOfArm() const { return has_thorax_ && size_.sensors > 1 ? 1 : 0; }
   int SensorOn(Segment segment) const;  // -1: none
+
+  // Upper arm, forearm and between them an elbow with two axes.
+  bool HasElbow() const;
+
+  // Sd of how a sensor is turned on its segment, where nothing in the trial tells more of it than
+  // what was told, and the turn is therefore no unknown; else 0 [rad].
+  double UntestedMountingSigma(int sensor) const;
 
   const Preintegrated& Interval(int knot, int sensor) const {
     return intervals_[static_cast<std::size_t>(knot * size_.sensors + sensor)];
@@ -111,6 +123,9 @@ class ArmProblem {
 
   // A state with every constant at its prior mean, biases from the rests, knots not yet set.
   State PriorState() const;
+
+  // Of the segment itself, whose sensor may sit otherwise than told.
+  Eigen::Quaterniond SegmentAttitude(const State& state, int knot, int sensor) const;
 
   // Where the chain of segments puts a sensor, in W [m].
   Eigen::Vector3d PlaceOnChain(const State& state, int knot, int sensor) const;
@@ -132,9 +147,17 @@ class ArmProblem {
 
  private:
   void AddConstants();
+  void AddSensorConstants(int sensor);
+  template <int kSize>
+  void AddConstant(UnknownKind kind, int sensor, const Eigen::Matrix<double, kSize, 1>& mean,
+                   const Eigen::Matrix<double, kSize, 1>& sigma);
   void AddGyroscope(int knot, int sensor);
   void AddAccelerometer(int knot, int sensor);
   void AddChain(int knot, int sensor);
+  // What a residual about the segments of these sensors, as mounted, speaks of beside `others`.
+  std::vector<int> OfSegments(int knot, const std::vector<int>& sensors,
+                              const std::vector<int>& others) const;
+  void AddSkin(int sensor);
   void AddElbow();
   void AddShoulder();
   void AddRests(int sensor);
@@ -150,6 +173,7 @@ class ArmProblem {
   ModelOptions options_;
   Timeline timeline_;
   StateSize size_;
+  int clock_sensor_ = 0;
   bool has_thorax_ = false;
   int per_knot_ = 0, first_node_ = 0, first_constant_ = 0;
   std::vector<Unknown> constants_;

@@ -5,6 +5,7 @@
 
 #include "problems/arm_problem.h"
 #include "problems/residuals/accelerometer.h"
+#include "problems/residuals/as_mounted.h"
 #include "problems/residuals/elbow_adduction.h"
 #include "problems/residuals/gyro_bias.h"
 #include "problems/residuals/gyroscope.h"
@@ -14,6 +15,7 @@
 #include "problems/residuals/segment_chain.h"
 #include "problems/residuals/segment_length.h"
 #include "problems/residuals/shoulder_process.h"
+#include "problems/residuals/skin.h"
 #include "problems/residuals/start_heading.h"
 #include "problems/residuals/start_pose.h"
 #include "problems/residuals/thorax_shoulder.h"
@@ -23,6 +25,7 @@ namespace brachium {
 namespace {
 
 using Eigen::Vector3d;
+using Scalar = Eigen::Matrix<double, 1, 1>;
 
 constexpr double kGaugeSigma = 1e-4;         // of the first place [m]
 constexpr double kLostAttitude = 2.0;        // by the longest gap: more than that is a turn [rad]
@@ -54,41 +57,52 @@ void ArmProblem::Add(Residual residual, ResidualKind kind, std::vector<int> unkn
                     std::move(unknowns), kind, sensor, first, last, LossOf(kind)});
 }
 
-void ArmProblem::AddConstants() {
-  const auto add = [this](UnknownKind kind, int sensor) {
-    constants_.push_back({kind, -1, sensor});
-    return first_constant_ + static_cast<int>(constants_.size()) - 1;
+// What is known for certain is held.
+template <int kSize>
+void ArmProblem::AddConstant(UnknownKind kind, int sensor,
+                             const Eigen::Matrix<double, kSize, 1>& mean,
+                             const Eigen::Matrix<double, kSize, 1>& sigma) {
+  const bool held = sigma.isZero(0.0);
+  constants_.push_back({kind, -1, sensor, held});
+  if (!held)
+    Add(Prior<kSize>(mean, sigma), ResidualKind::kPrior,
+        {first_constant_ + static_cast<int>(constants_.size()) - 1}, sensor, 0, 0);
+}
+
+void ArmProblem::AddSensorConstants(int sensor) {
+  const Recording& recording = observations_.recordings[U(sensor)];
+  const bool alone = size_.sensors == 1;
+  const auto add = [&](UnknownKind kind, const Vector3d& mean, double sigma) {
+    AddConstant<3>(kind, sensor, mean, Vector3d::Constant(sigma));
   };
-  const auto prior = [this](int unknown, const Vector3d& mean, double sigma, int sensor) {
-    Add(Prior<3>(mean, Vector3d::Constant(sigma)), ResidualKind::kPrior, {unknown}, sensor, 0, 0);
-  };
-  for (int sensor = 0; sensor < size_.sensors; ++sensor) {
-    const Recording& recording = observations_.recordings[U(sensor)];
-    prior(add(UnknownKind::kGyroScale, sensor), Vector3d::Zero(), options_.gyro_scale_sigma,
-          sensor);
-    prior(add(UnknownKind::kAccelBias, sensor), Vector3d::Zero(), recording.noise.accel_bias_sigma,
-          sensor);
-    prior(add(UnknownKind::kAccelScale, sensor), Vector3d::Zero(), options_.accel_scale_sigma,
-          sensor);
-    const int position = add(UnknownKind::kSensorPosition, sensor);
-    if (size_.sensors == 1)
-      prior(position, Vector3d::Zero(), kGaugeSigma, sensor);
-    else
-      prior(position, recording.mounting->p_BS_B, recording.mounting->p_sigma, sensor);
-    if (sensor + 1 < size_.sensors && sensor >= FirstOfArm()) {
-      const SegmentGeometry& geometry = observations_.arm.segments.at(recording.segment);
+  const Mounting mounting = recording.mounting.value_or(Mounting{.q_sigma = 0.0});
+  const bool own_clock = !alone && sensor != clock_sensor_;
+  add(UnknownKind::kGyroScale, Vector3d::Zero(), options_.gyro_scale_sigma);
+  add(UnknownKind::kAccelBias, Vector3d::Zero(), recording.noise.accel_bias_sigma);
+  add(UnknownKind::kAccelScale, Vector3d::Zero(), options_.accel_scale_sigma);
+  add(UnknownKind::kMounting, Vector3d::Zero(),
+      options_.estimate_mountings && UntestedMountingSigma(sensor) == 0.0 ? mounting.q_sigma : 0.0);
+  add(UnknownKind::kSensorPosition, alone ? Vector3d::Zero() : mounting.p_BS_B,
+      alone ? 0.0 : mounting.p_sigma);
+  AddConstant<1>(UnknownKind::kClockOffset, sensor, Scalar::Zero(),
+                 Scalar(own_clock ? options_.clock_offset_sigma_s : 0.0));
+  if (sensor + 1 < size_.sensors && sensor >= FirstOfArm()) {
+    const SegmentGeometry& geometry = observations_.arm.segments.at(recording.segment);
+    constants_.push_back({UnknownKind::kJointVector, -1, sensor, geometry.sigma == 0.0});
+    if (geometry.sigma > 0.0)
       Add(SegmentLength(geometry.p_distal_B, geometry.sigma), ResidualKind::kSegmentLength,
-          {add(UnknownKind::kJointVector, sensor)}, sensor, 0, 0);
-    }
+          {Constant(UnknownKind::kJointVector, sensor)}, sensor, 0, 0);
   }
-  if (size_.sensors > 1 && size_.roots == 1) add(UnknownKind::kShoulderMean, -1);
-  if (SensorOn(Segment::kForearm) > 0 && SensorOn(Segment::kUpperArm) >= 0 &&
-      observations_.arm.elbow.adduction_constraint) {
-    const ElbowModel& elbow = observations_.arm.elbow;
-    Add(Prior<2>({elbow.carrying_angle, 0.0},
-                 {elbow.carrying_angle_sigma, elbow.carrying_slope_sigma}),
-        ResidualKind::kPrior, {add(UnknownKind::kCarryingAngle, -1)}, -1, 0, 0);
-  }
+}
+
+void ArmProblem::AddConstants() {
+  for (int sensor = 0; sensor < size_.sensors; ++sensor) AddSensorConstants(sensor);
+  if (size_.sensors > 1 && size_.roots == 1)
+    constants_.push_back({UnknownKind::kShoulderMean, -1, -1});
+  if (!HasElbow()) return;
+  const ElbowModel& elbow = observations_.arm.elbow;
+  AddConstant<2>(UnknownKind::kCarryingAngle, -1, {elbow.carrying_angle, 0.0},
+                 {elbow.carrying_angle_sigma, elbow.carrying_slope_sigma});
 }
 
 void ArmProblem::AddGyroscope(int knot, int sensor) {
@@ -105,7 +119,8 @@ void ArmProblem::AddGyroscope(int knot, int sensor) {
   Add(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance)),
       ResidualKind::kGyroscope,
       {Attitude(knot, sensor), Attitude(knot + 1, sensor), GyroBias(node, sensor),
-       GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor)},
+       GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor),
+       Constant(UnknownKind::kClockOffset, sensor)},
       sensor, knot, knot + 1);
 }
 
@@ -139,7 +154,8 @@ void ArmProblem::AddAccelerometer(int knot, int sensor) {
        {Attitude(knot, sensor), Place(knot, sensor), Place(knot + 1, sensor),
         Velocity(knot, sensor), Velocity(knot + 1, sensor), GyroBias(node, sensor),
         GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor),
-        Constant(UnknownKind::kAccelBias, sensor), Constant(UnknownKind::kAccelScale, sensor)},
+        Constant(UnknownKind::kAccelBias, sensor), Constant(UnknownKind::kAccelScale, sensor),
+        Constant(UnknownKind::kClockOffset, sensor)},
        ResidualKind::kAccelerometer,
        sensor,
        knot,
@@ -158,28 +174,50 @@ std::unique_ptr<TangentCost> ArmProblem::MakeChain(int knot, int sensor) const {
   const auto make = [&]() -> TangentCost* {
     switch (Chain(sensor).size()) {
       case 1:
-        return MakeCost(SegmentChain<1>(sigma));
+        return MakeCost(AsMounted(SegmentChain<1>(sigma)));
       case 2:
-        return MakeCost(SegmentChain<2>(sigma));
+        return MakeCost(AsMounted(SegmentChain<2>(sigma)));
       case 3:
-        return MakeCost(SegmentChain<3>(sigma));
+        return MakeCost(AsMounted(SegmentChain<3>(sigma)));
       default:
-        return MakeCost(SegmentChain<4>(sigma));
+        return MakeCost(AsMounted(SegmentChain<4>(sigma)));
     }
   };
   return std::unique_ptr<TangentCost>(make());
 }
 
-void ArmProblem::AddChain(int knot, int sensor) {
+std::vector<int> ArmProblem::OfSegments(int knot, const std::vector<int>& sensors,
+                                        const std::vector<int>& others) const {
   std::vector<int> unknowns;
+  for (const int sensor : sensors) unknowns.push_back(Attitude(knot, sensor));
+  unknowns.insert(unknowns.end(), others.begin(), others.end());
+  for (const int sensor : sensors) unknowns.push_back(Constant(UnknownKind::kMounting, sensor));
+  for (const int sensor : sensors) unknowns.push_back(Skin(knot, sensor));
+  return unknowns;
+}
+
+void ArmProblem::AddChain(int knot, int sensor) {
   const std::vector<int> chain = Chain(sensor);
-  for (const int link : chain) unknowns.push_back(Attitude(knot, link));
-  unknowns.insert(unknowns.end(), {Root(knot, RootOf(sensor)), Place(knot, sensor),
-                                   Constant(UnknownKind::kSensorPosition, sensor)});
+  std::vector<int> others{Root(knot, RootOf(sensor)), Place(knot, sensor),
+                          Constant(UnknownKind::kSensorPosition, sensor)};
   for (const int link : chain)
-    if (link != sensor) unknowns.push_back(Constant(UnknownKind::kJointVector, link));
-  terms_.push_back({MakeChain(knot, sensor), std::move(unknowns), ResidualKind::kSegmentChain,
-                    sensor, knot, knot});
+    if (link != sensor) others.push_back(Constant(UnknownKind::kJointVector, link));
+  terms_.push_back({MakeChain(knot, sensor), OfSegments(knot, chain, others),
+                    ResidualKind::kSegmentChain, sensor, knot, knot});
+}
+
+void ArmProblem::AddSkin(int sensor) {
+  if (options_.soft_tissue_deg == 0.0) return;
+  const double sigma = options_.soft_tissue_deg * kDegree;
+  for (int knot = 0; knot < size_.knots; ++knot) {
+    if (knot == 0)
+      Add(SkinStart(sigma), ResidualKind::kSkinProcess, {Skin(0, sensor)}, sensor, 0, 0);
+    else
+      Add(SkinProcess(FirstOrderStep::Over(timeline_.knots[U(knot)] - timeline_.knots[U(knot) - 1],
+                                           sigma, options_.soft_tissue_correlation_s)),
+          ResidualKind::kSkinProcess, {Skin(knot - 1, sensor), Skin(knot, sensor)}, sensor,
+          knot - 1, knot);
+  }
 }
 
 void ArmProblem::AddElbow() {
@@ -191,16 +229,15 @@ void ArmProblem::AddElbow() {
   const double stop = options_.range_of_motion_sigma_deg * kDegree;
   const double wobble = std::sqrt(2 * options_.elbow_wobble_correlation_s) *
                         options_.elbow_wobble_sigma_deg * kDegree;
-  Add(Prior<1>(Eigen::Matrix<double, 1, 1>::Zero(), Eigen::Matrix<double, 1, 1>(sigma)),
-      ResidualKind::kAdductionProcess, {Adduction(0)}, -1, 0, 0);
+  Add(Prior<1>(Scalar::Zero(), Scalar(sigma)), ResidualKind::kAdductionProcess, {Adduction(0)}, -1,
+      0, 0);
   for (int knot = 0; knot < size_.knots; ++knot) {
-    Add(ElbowRangeOfMotion(kFlexionLimits[0], kFlexionLimits[1], stop),
-        ResidualKind::kRangeOfMotion, {Attitude(knot, upper), Attitude(knot, fore)}, -1, knot,
-        knot);
+    Add(AsMounted(ElbowRangeOfMotion(kFlexionLimits[0], kFlexionLimits[1], stop)),
+        ResidualKind::kRangeOfMotion, OfSegments(knot, {upper, fore}, {}), -1, knot, knot);
     const int before = std::max(knot, 1) - 1;
     const double step = timeline_.knots[U(before) + 1] - timeline_.knots[U(before)];
-    Add(ElbowAdduction(side, wobble / std::sqrt(step)), ResidualKind::kElbowAdduction,
-        {Attitude(knot, upper), Attitude(knot, fore), carrying, Adduction(knot)}, -1, knot, knot);
+    Add(AsMounted(ElbowAdduction(side, wobble / std::sqrt(step))), ResidualKind::kElbowAdduction,
+        OfSegments(knot, {upper, fore}, {carrying, Adduction(knot)}), -1, knot, knot);
     if (knot > 0)
       Add(AdductionProcess(
               FirstOrderStep::Over(step, sigma, options_.elbow_adduction_correlation_s)),
@@ -298,15 +335,15 @@ void ArmProblem::AddStart() {
   const int knot = timeline_.KnotBefore(pose.time);
   const Side side = observations_.arm.side;
   if (pose.shoulder_elevation)
-    Add(ElevationStartPose(*pose.shoulder_elevation, pose.sigma), ResidualKind::kStartPose,
-        {Attitude(knot, upper)}, -1, knot, knot);
+    Add(AsMounted(ElevationStartPose(*pose.shoulder_elevation, pose.sigma)),
+        ResidualKind::kStartPose, OfSegments(knot, {upper}, {}), -1, knot, knot);
   if (pose.shoulder_elevation && *pose.shoulder_elevation < kHanging && upper > 0)
-    Add(FacingStartPose(kFacingSigma), ResidualKind::kStartPose,
-        {Attitude(knot, upper - 1), Attitude(knot, upper)}, -1, knot, knot);
+    Add(AsMounted(FacingStartPose(kFacingSigma)), ResidualKind::kStartPose,
+        OfSegments(knot, {upper - 1, upper}, {}), -1, knot, knot);
   if (fore < 0) return;
   const auto add = [&](ElbowAngle angle, double told) {
-    Add(ElbowStartPose(angle, side, told, pose.sigma), ResidualKind::kStartPose,
-        {Attitude(knot, upper), Attitude(knot, fore)}, -1, knot, knot);
+    Add(AsMounted(ElbowStartPose(angle, side, told, pose.sigma)), ResidualKind::kStartPose,
+        OfSegments(knot, {upper, fore}, {}), -1, knot, knot);
   };
   if (pose.elbow_flexion) add(ElbowAngle::kFlexion, *pose.elbow_flexion);
   if (pose.forearm_pronation) add(ElbowAngle::kPronation, *pose.forearm_pronation);

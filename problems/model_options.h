@@ -17,6 +17,10 @@ struct ModelOptions {
   double rest_sway_deg = 0.05;
   double gyro_scale_sigma = 0.003;
   double gyro_cross_axis = 0.003;
+  double clock_offset_sigma_s = 0.005;
+  bool estimate_mountings = true;
+  double soft_tissue_deg = 0.0;
+  double soft_tissue_correlation_s = 0.2;
   double accel_scale_sigma = 0.005;
   double accel_size_m = 0.001;
   double unmodelled_acceleration = 0.1;
@@ -49,6 +53,19 @@ struct ModelOptions {
         "gyro_cross_axis", options.gyro_cross_axis,
         "Error of the gyroscopes that grows with the rate and is no constant scale [1]: axes that "
         "are not square to each other or not the accelerometer's, bent scales.");
+    visit("clock_offset_sigma_s", options.clock_offset_sigma_s,
+          "How far the sensors' clocks may be apart, standard deviation; estimated. 0: they are "
+          "one [s].");
+    visit(
+        "estimate_mountings", options.estimate_mountings,
+        "Estimate how the sensors of upper arm and forearm are turned on their segments, with the "
+        "told sd as prior. Off: all sensors sit exactly as told.");
+    visit(
+        "soft_tissue_deg", options.soft_tissue_deg,
+        "How far skin and muscle turn a sensor about its segment to and fro, rms [deg]; estimated "
+        "at every knot instead of the mountings, which cannot be told from it. 0: not at all.");
+    visit("soft_tissue_correlation_s", options.soft_tissue_correlation_s,
+          "How long such a turn lasts [s].");
     visit("accel_scale_sigma", options.accel_scale_sigma,
           "Relative scale error of each accelerometer axis, estimated [1].");
     visit("accel_size_m", options.accel_size_m,

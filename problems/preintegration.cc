@@ -21,6 +21,26 @@ constexpr double kRateLimit = 3.0;         // [rad/s]
 constexpr double kForceCurvature = 100.0;  // [m/s⁴]
 constexpr double kForceLimit = 10.0;       // [m/s²]
 
+// Half of the time over which a signal is taken for a parabola to tell it from its noise [s].
+constexpr double kSmoothed = 0.05;
+
+// Each sample on the parabola through its neighbours at up to `reach` on either side.
+// Source: Savitzky & Golay, Anal. Chem. 36 (1964).
+std::vector<Vector3d> Smoothed(const std::vector<Vector3d>& samples, std::size_t reach) {
+  std::vector<Vector3d> smoothed;
+  smoothed.reserve(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t m = std::min({reach, i, samples.size() - 1 - i});
+    const auto n = static_cast<double>(m);
+    const double total = (2 * n - 1) * (2 * n + 1) * (2 * n + 3), top = 3 * (3 * n * n + 3 * n - 1);
+    Vector3d sum = top / total * samples[i];
+    for (std::size_t j = 1; j <= m; ++j)
+      sum += (top - 15 * static_cast<double>(j * j)) / total * (samples[i - j] + samples[i + j]);
+    smoothed.push_back(sum);
+  }
+  return smoothed;
+}
+
 // The turn of a part of a cell of length h, and what a bias changes of it.
 struct PartTurn {
   PartTurn(double h, const Vector3d& w, const Vector3d& w_slope) {
@@ -73,6 +93,9 @@ Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPerio
     gyr_slope_.push_back((gyr_[after] - gyr_[before]) / span);
     acc_slope_.push_back((acc_[after] - acc_[before]) / span);
   }
+  const auto reach = static_cast<std::size_t>(std::lround(kSmoothed / period_));
+  gyr_smooth_ = Smoothed(gyr_, reach);
+  acc_smooth_ = Smoothed(acc_, reach);
   DoubtSaturated(recording);
 }
 
@@ -103,6 +126,15 @@ Preintegrator::Cell Preintegrator::Clip(std::size_t cell, double start, double e
 std::size_t Preintegrator::CellAt(double time) const {
   const auto after = std::upper_bound(edges_.begin(), edges_.end(), time) - edges_.begin();
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0));
+}
+
+Vector3d Preintegrator::At(const std::vector<Vector3d>& values, double time) const {
+  const std::size_t cell = std::min(CellAt(time), values.size() - 1);
+  const std::size_t before = time < centres_[cell] && cell > 0 ? cell - 1 : cell;
+  const std::size_t after = std::min(before + 1, values.size() - 1);
+  if (after == before) return values[before];
+  const double fraction = (time - centres_[before]) / (centres_[after] - centres_[before]);
+  return values[before] + fraction * (values[after] - values[before]);
 }
 
 Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias) const {
@@ -163,6 +195,11 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     sum.gyro_gap_variance += gyro_unknown_[i] * h;
     sum.accel_gap_variance += accel_unknown_[i] * h;
   }
+  const Vector3d w_0 = At(gyr_smooth_, start) - gyro_bias, w_1 = At(gyr_smooth_, end) - gyro_bias;
+  const Vector3d f_0 = At(acc_smooth_, start), f_1 = At(acc_smooth_, end);
+  sum.dR_dc = sum.dq.conjugate() * w_0 - w_1;
+  sum.dv_dc = w_0.cross(sum.dv) - sum.dq * f_1 + f_0;
+  sum.dp_dc = w_0.cross(sum.dp) - sum.dv + sum.duration * f_0;
   return sum;
 }
 

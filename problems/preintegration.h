@@ -9,6 +9,13 @@
 //   f_m = f + h²/12 (w×f' + w'×f/2 + w×(w×f)/2),
 //   dp += dv h + R_m (f_m h²/2 - (w×f + f') h³/12),   dv += R_m f_m h,
 //   dR  = dR Exp(w h + w×w' h³/12).
+// A clock that is behind the true time by c stamps its samples c too early: what a true interval holds
+// are the samples of c before it, which changes the sums by what enters at the one end and leaves at
+// the other. With w_0, f_0 at the start and w_1, f_1 at the end,
+//   dR -> dR Exp(dR_dc c),   dR_dc = dRᵀ w_0 - w_1,
+//   dv_dc = w_0 × dv - dR f_1 + f_0,   dp_dc = w_0 × dp - dv + D f_0.
+// These four are smoothed: of single samples the noise would pass for movement that tells the clock,
+// and slow movement would be believed to show hardly any offset.
 // Sources: Forster et al., IEEE T-RO 33 (2017), for the bias corrections; Savage, J. Guid. Control
 // Dyn. 21 (1998), for coning and sculling.
 #pragma once
@@ -35,6 +42,10 @@ struct Preintegrated {
   Eigen::Matrix3d dv_dbg = Eigen::Matrix3d::Zero(), dp_dbg = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d dv_dba = Eigen::Matrix3d::Zero(), dp_dba = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d dv_dsa = Eigen::Matrix3d::Zero(), dp_dsa = Eigen::Matrix3d::Zero();
+
+  // First-order changes with the clock's offset c.
+  Eigen::Vector3d dR_dc = Eigen::Vector3d::Zero();
+  Eigen::Vector3d dv_dc = Eigen::Vector3d::Zero(), dp_dc = Eigen::Vector3d::Zero();
 
   // What the weights are made of: integrals over the interval.
   double rate_squared = 0.0;  // of |w|² [rad²/s]
@@ -75,6 +86,8 @@ class Preintegrator {
   struct Cell;
   Cell Clip(std::size_t cell, double start, double end) const;
   std::size_t CellAt(double time) const;
+  // Straight between the cells' centres. `time` within the cells.
+  Eigen::Vector3d At(const std::vector<Eigen::Vector3d>& values, double time) const;
   void DoubtSaturated(const Recording& recording);
 
   double period_;
@@ -84,7 +97,7 @@ class Preintegrator {
   // neighbours stands in, and where the sensor was out of its range.
   std::vector<double> gyro_unknown_;   // [rad²/s]
   std::vector<double> accel_unknown_;  // [m²/s³]
-  std::vector<Eigen::Vector3d> gyr_, acc_, gyr_slope_, acc_slope_;
+  std::vector<Eigen::Vector3d> gyr_, acc_, gyr_slope_, acc_slope_, gyr_smooth_, acc_smooth_;
 };
 
 }  // namespace brachium

@@ -8,12 +8,13 @@
 namespace brachium {
 
 // What an unknown is; its block holds 4 numbers for an attitude, 2 for the carrying angle, 1 for a
-// deviation, else 3.
+// deviation and for a clock, else 3.
 enum class UnknownKind {
-  kAttitude,        // q_WB [x y z w]
+  kAttitude,        // q_WC of a segment, were its sensor mounted as told [x y z w]
   kRoot,            // root joint of the arm, or of the thorax, in W [m]
   kVelocity,        // of a sensor in W [m/s]
   kPlace,           // of a sensor in W [m]
+  kSkin,            // what skin adds to a sensor's mounting at the moment, segment axes [rad]
   kAdduction,       // slow deviation of the elbow from its carrying angle [rad]
   kGyroBias,        // at a node, sensor axes [rad/s]
   kGyroScale,       // per sensor axis [1]
@@ -21,6 +22,8 @@ enum class UnknownKind {
   kAccelScale,      // per sensor axis [1]
   kSensorPosition,  // p_BS, segment axes [m]
   kJointVector,     // proximal to distal joint, segment axes [m]
+  kMounting,        // of a sensor: its turn against how it was told to sit, segment axes [rad]
+  kClockOffset,     // of a sensor: true time less its own [s]
   kShoulderMean,    // mean of the root joint, W [m]
   kCarryingAngle,   // k0, k1 [rad]
 };
@@ -45,6 +48,7 @@ class State {
     return &x_[KnotOffset(knot) + 4 * U(size_.sensors) + 3 * U(size_.roots) + 3 * U(sensor)];
   }
   double* Place(int knot, int sensor) { return Velocity(knot, size_.sensors) + 3 * U(sensor); }
+  double* Skin(int knot, int sensor) { return Place(knot, size_.sensors) + 3 * U(sensor); }
   double* Adduction(int knot) { return &x_[KnotOffset(knot + 1) - 1]; }
   double* GyroBias(int node, int sensor) {
     return &x_[nodes_begin_ + 3 * (U(node) * U(size_.sensors) + U(sensor))];
@@ -55,6 +59,7 @@ class State {
   const double* Root(int knot, int root) const { return Mutable().Root(knot, root); }
   const double* Velocity(int knot, int sensor) const { return Mutable().Velocity(knot, sensor); }
   const double* Place(int knot, int sensor) const { return Mutable().Place(knot, sensor); }
+  const double* Skin(int knot, int sensor) const { return Mutable().Skin(knot, sensor); }
   const double* GyroBias(int node, int sensor) const { return Mutable().GyroBias(node, sensor); }
   const double* Constant(UnknownKind kind, int sensor) const {
     return Mutable().Constant(kind, sensor);

@@ -1,6 +1,7 @@
 #include "solver/batch_smoother.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/covariance.h"
 #include "solver/diagnosis.h"
@@ -37,6 +38,23 @@ void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions
   diagnostics.termination = summary.message;
 }
 
+// Rms of the whitened residuals over their degrees of freedom: 1 where the model is right.
+double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
+  double count = 0.0, squares = 0.0;
+  for (const ResidualStatistics& kind : diagnostics.residuals) {
+    count += static_cast<double>(kind.count);
+    squares += static_cast<double>(kind.count) * kind.rms * kind.rms;
+  }
+  return std::sqrt(squares / (count - unknowns));
+}
+
+// Which recording is of that segment, which there is.
+int SensorOn(const Observations& observations, Segment segment) {
+  int sensor = 0;
+  while (observations.recordings[static_cast<std::size_t>(sensor)].segment != segment) ++sensor;
+  return sensor;
+}
+
 }  // namespace
 
 bool SmootherOptions::IsValid(std::string* why) const {
@@ -64,7 +82,9 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   Diagnostics& diagnostics = estimate.diagnostics;
   const auto stage = [&](const char* name) { estimate.timing.push_back({name, watch.Lap()}); };
 
-  ArmProblem problem(Prepared(observations, options_), options_.model, options_.knot_spacing_s);
+  const Observations prepared = Prepared(observations, options_);
+  ArmProblem problem(prepared, options_.model, options_.knot_spacing_s,
+                     SensorOn(prepared, observations.recordings.front().segment));
   stage("preintegration");
 
   const SolverKind solver = SolverNamed(options_.solver).value();
@@ -119,11 +139,14 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   diagnostics.notes = FarFromTold(problem, state);
   for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
     diagnostics.notes.push_back(note);
+  const double residual_scale = ResidualScale(diagnostics, workspace.plan.columns());
+  if (options_.scale_sd_by_residuals) ScaleStandardDeviations(residual_scale, estimate);
   diagnostics.rests = DescribeRests(problem);
   diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},
                          {"windows", static_cast<double>(windows.windows)},
                          {"window_iterations", static_cast<double>(windows.iterations)},
-                         {"start_heading_span_s", windows.settling_span}};
+                         {"start_heading_span_s", windows.settling_span},
+                         {"residual_scale", residual_scale}};
   stage("results");
   return estimate;
 }

@@ -16,6 +16,7 @@ struct SmootherOptions {
   double window_advance_s = 2.5;
   int weight_iterations = 2;
   bool covariance = true;
+  bool scale_sd_by_residuals = false;
   std::string solver = "chain";
   int threads = 1;
   double shoulder_sigma_m = 0.0;
@@ -41,6 +42,11 @@ struct SmootherOptions {
     visit("covariance", options.covariance,
           "Tell standard deviations, of the constants too, and what only its prior holds. Off: "
           "about a fifth of the time is saved.");
+    visit(
+        "scale_sd_by_residuals", options.scale_sd_by_residuals,
+        "Multiply all standard deviations by the rms of the whitened residuals over their degrees "
+        "of freedom (summary.json, figures.residual_scale). It mends sigmas that are all wrong "
+        "alike; what hardly shows in residuals, a gyroscope's noise told wrong, it does not.");
     visit("solver", options.solver,
           "What finds the minimum: chain, which eliminates along time, or ceres, which is slower "
           "and checks it.");

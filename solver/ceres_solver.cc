@@ -44,10 +44,11 @@ class CeresProblem {
     for (const int unknown : unknowns) values_.push_back(problem_.Value(state_, unknown));
     least_squares_.AddResidualBlock(cost, loss, values_);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const UnknownKind kind = problem_.Describe(unknowns[i]).kind;
-      if (kind == UnknownKind::kAttitude && !least_squares_.HasManifold(values_[i]))
+      const Unknown unknown = problem_.Describe(unknowns[i]);
+      if (unknown.kind == UnknownKind::kAttitude && !least_squares_.HasManifold(values_[i]))
         least_squares_.SetManifold(values_[i], &rotation_);
-      if (hold_geometry_ && IsGeometry(kind)) least_squares_.SetParameterBlockConstant(values_[i]);
+      if (unknown.held || (hold_geometry_ && IsGeometry(unknown.kind)))
+        least_squares_.SetParameterBlockConstant(values_[i]);
     }
   }
 

@@ -19,13 +19,15 @@ std::string SegmentName(const ArmProblem& problem, int sensor) {
   return std::string(Name(problem.observations().recordings[U(sensor)].segment));
 }
 
-// How a constant is called in results, and what its prior's sd is.
+// How a constant is called in results, and what its prior's sd is; both in that unit.
 struct ConstantEntry {
   std::string name;
   std::vector<double> prior_sd;
+  double unit = 1.0;
 };
 
 std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& unknown) {
+  if (unknown.held) return std::nullopt;
   const Observations& observations = problem.observations();
   const auto named = [&](const char* name, double sigma) {
     return ConstantEntry{SegmentName(problem, unknown.sensor) + "." + name, {sigma, sigma, sigma}};
@@ -39,12 +41,20 @@ std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& 
     case UnknownKind::kAccelScale:
       return named("accelerometer_scale", problem.options().accel_scale_sigma);
     case UnknownKind::kSensorPosition:
-      if (problem.size().sensors == 1) return std::nullopt;
       return named("p_BS_m", observations.recordings[U(unknown.sensor)].mounting->p_sigma);
     case UnknownKind::kJointVector:
       return named(
           "distal_joint_m",
           observations.arm.segments.at(observations.recordings[U(unknown.sensor)].segment).sigma);
+    case UnknownKind::kClockOffset:
+      return ConstantEntry{SegmentName(problem, unknown.sensor) + ".clock_offset_s",
+                           {problem.options().clock_offset_sigma_s}};
+    case UnknownKind::kMounting: {
+      const double sigma = observations.recordings[U(unknown.sensor)].mounting->q_sigma / kDegree;
+      return ConstantEntry{SegmentName(problem, unknown.sensor) + ".mounting_turn_deg",
+                           {sigma, sigma, sigma},
+                           kDegree};
+    }
     case UnknownKind::kShoulderMean: {
       const double sigma = observations.arm.shoulder.sigma;
       return ConstantEntry{"shoulder.mean_m", {sigma, sigma, sigma}};
@@ -119,7 +129,7 @@ std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& 
       add("elbow.carrying_angle_deg", 0, 1, kDegree);
       add("elbow.carrying_slope_deg", 1, 1, kDegree);
     } else if (const auto entry = Describe(problem, u)) {
-      add(entry->name, 0, 3, 1.0);
+      add(entry->name, 0, static_cast<int>(entry->prior_sd.size()), entry->unit);
     }
   }
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
@@ -139,6 +149,7 @@ std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty&
   const std::string whole = Seconds(timeline.knots.front(), timeline.knots.back());
   for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown) {
     const Unknown u = problem.Describe(unknown);
+    if (u.held) continue;
     const auto entry = Describe(problem, u);
     const Eigen::VectorXd& sd = certainty.constant_sd.at(unknown);
     if (u.kind == UnknownKind::kCarryingAngle) {
@@ -148,7 +159,7 @@ std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty&
       if (sd[1] > kUninformed * elbow.carrying_slope_sigma)
         sentences.push_back("elbow.carrying_slope_deg, " + whole);
     } else if (entry) {
-      const std::string axes = UninformedAxes(sd, entry->prior_sd);
+      const std::string axes = UninformedAxes(sd / entry->unit, entry->prior_sd);
       if (!axes.empty()) sentences.push_back(entry->name + " (" + axes + "), " + whole);
     }
   }
@@ -172,7 +183,11 @@ std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty&
     if (certainty.start_heading_sd[U(sensor)] > kUninformed * ArmProblem::kStartHeadingSigma)
       sentences.push_back("heading of the " + SegmentName(problem, sensor) + " against the " +
                           SegmentName(problem, sensor - 1) + ", " + whole);
-  if (problem.size().sensors == 1) return sentences;
+  if (problem.size().sensors == 1) {
+    sentences.push_back("heading of the " + SegmentName(problem, 0) +
+                        ", of which one sensor alone knows only the changes, " + whole);
+    return sentences;
+  }
   const double sigma = problem.observations().arm.shoulder.sigma;
   for (int knot = 0; knot < problem.size().knots; ++knot) {
     const int first = knot;
@@ -194,13 +209,14 @@ std::vector<std::string> FarFromTold(const ArmProblem& problem, const State& sta
     const double* x = state.Constant(u.kind, u.sensor);
     const double* x_told = told.Constant(u.kind, u.sensor);
     for (std::size_t i = 0; i < entry->prior_sd.size(); ++i) {
-      const double sigmas = std::abs(x[i] - x_told[i]) / entry->prior_sd[i];
+      const double found = x[i] / entry->unit, expected = x_told[i] / entry->unit;
+      const double sigmas = std::abs(found - expected) / entry->prior_sd[i];
       if (sigmas < kFar) continue;
       char text[200];
       std::snprintf(text, sizeof text,
                     "%s (%c) is found at %.4g where %.4g was told: %.1f of its standard deviations "
                     "off. Check it; if it is right, distrust this result",
-                    entry->name.c_str(), "xyz"[i], x[i], x_told[i], sigmas);
+                    entry->name.c_str(), "xyz"[i], found, expected, sigmas);
       sentences.push_back(text);
     }
   }

@@ -16,7 +16,9 @@ constexpr int kStays = std::numeric_limits<int>::max();
 
 bool IsGeometry(UnknownKind kind) {
   return kind == UnknownKind::kGyroScale || kind == UnknownKind::kAccelScale ||
-         kind == UnknownKind::kSensorPosition || kind == UnknownKind::kJointVector;
+         kind == UnknownKind::kSensorPosition || kind == UnknownKind::kJointVector ||
+         kind == UnknownKind::kClockOffset || kind == UnknownKind::kMounting ||
+         kind == UnknownKind::kSkin;
 }
 
 int FrontPlan::Front::Stride() const { return Padded(columns + 1); }
@@ -94,7 +96,7 @@ int FrontPlan::VariableOf(const ArmProblem& problem, State& state, int unknown,
   if (index < 0) {
     index = static_cast<int>(variables_.size());
     const Unknown u = problem.Describe(unknown);
-    const bool held = hold_geometry && IsGeometry(u.kind);
+    const bool held = u.held || (hold_geometry && IsGeometry(u.kind));
     variables_.push_back(
         {unknown, problem.Value(state, unknown), u.Size(), held ? 0 : u.Tangent(), 0, 0});
   }

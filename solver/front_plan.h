@@ -30,10 +30,10 @@ struct TermRange {
   int end_knot = 0;
   int last_knot = 0;           // and that do not reach beyond this one
   bool hand_on = false;        // keep what terms from end_knot on touch; else all are eliminated
-  bool hold_geometry = false;  // scales, lever arms and joint vectors are numbers, not unknowns
+  bool hold_geometry = false;  // scales, geometry and clocks are numbers, not unknowns
 };
 
-// Scales, lever arms and joint vectors: what `hold_geometry` holds.
+// Scales, mountings, lever arms, joint vectors and clocks: what `hold_geometry` holds.
 bool IsGeometry(UnknownKind kind);
 
 class FrontPlan {

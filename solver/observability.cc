@@ -28,9 +28,9 @@ Eigen::Map<const Vector3d> Vector(const double* x) { return Eigen::Map<const Vec
 std::vector<Vector3d> JointPlaces(const ArmProblem& problem, const State& state, int sensor) {
   std::vector<Vector3d> places;
   for (int knot = 0; knot < problem.size().knots; ++knot) {
-    const Eigen::Map<const Quaterniond> q_WB(state.Attitude(knot, sensor));
     places.push_back(problem.PlaceOnChain(state, knot, sensor) -
-                     q_WB * Vector(state.Constant(UnknownKind::kSensorPosition, sensor)));
+                     problem.SegmentAttitude(state, knot, sensor) *
+                         Vector(state.Constant(UnknownKind::kSensorPosition, sensor)));
   }
   return places;
 }

@@ -11,19 +11,41 @@ using Vector = Eigen::Map<const Vector3d>;
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
-// What one unknown does to a place: ∂p/∂(its three columns from `offset`).
+// What one unknown does to a vector: its derivative by the three columns from `offset`.
 struct Influence {
   int offset;
   Matrix3d J;
 };
+using Influences = std::vector<Influence>;
 
-Vector3d VarianceOf(const std::vector<Influence>& influences, const CovarianceView& covariance) {
-  Vector3d variance = Vector3d::Zero();
-  for (const Influence& a : influences)
-    for (const Influence& b : influences)
-      variance +=
-          (a.J * covariance.block<3, 3>(a.offset, b.offset)).cwiseProduct(b.J).rowwise().sum();
-  return variance.cwiseMax(0.0);
+Matrix3d Covariance(const Influences& rows, const Influences& columns,
+                    const CovarianceView& covariance) {
+  Matrix3d P = Matrix3d::Zero();
+  for (const Influence& a : rows)
+    for (const Influence& b : columns)
+      P += a.J * covariance.block<3, 3>(a.offset, b.offset) * b.J.transpose();
+  return P;
+}
+
+Vector3d VarianceOf(const Influences& influences, const CovarianceView& covariance) {
+  return Covariance(influences, influences, covariance).diagonal().cwiseMax(0.0);
+}
+
+// On θ_B of a sensor's segment: of what the sensor shows and, where these are not certain, of its
+// mounting and of the skin.
+Influences OnAttitude(const ArmProblem& problem, const State& state, int knot, int sensor,
+                      const BlockIndex& index) {
+  Influences influences{{index.OffsetOf(problem.Attitude(knot, sensor)),
+                         Attitude(state.Attitude(knot, sensor)).toRotationMatrix()}};
+  const Vector3d turn =
+      Vector(state.Constant(UnknownKind::kMounting, sensor)) + Vector(state.Skin(knot, sensor));
+  const Matrix3d back =
+      -problem.SegmentAttitude(state, knot, sensor).toRotationMatrix() * RightJacobian(-turn);
+  for (const int unknown :
+       {problem.Constant(UnknownKind::kMounting, sensor), problem.Skin(knot, sensor)})
+    if (const int offset = index.OffsetOf(unknown); offset >= 0)
+      influences.push_back({offset, back});
+  return influences;
 }
 
 }  // namespace
@@ -48,35 +70,39 @@ void PoseCovariance::Collect(int knot, const BlockIndex& index, const Covariance
 
 void PoseCovariance::CollectAttitudes(int knot, const BlockIndex& index,
                                       const CovarianceView& covariance) {
-  const auto world = [&](int k, int sensor) -> Matrix3d {
-    return Attitude(state_.Attitude(k, sensor)).toRotationMatrix();
+  const auto all = [&](int k) {
+    std::vector<Influences> influences;
+    for (int sensor = 0; sensor < problem_.size().sensors; ++sensor)
+      influences.push_back(OnAttitude(problem_, state_, k, sensor, index));
+    return influences;
   };
-  const auto store = [&](int other, std::vector<double>& blocks) {
+  const std::vector<Influences> here = all(knot);
+  const auto store = [&](const std::vector<Influences>& other, std::vector<double>& blocks) {
     Eigen::Map<MatrixXd> P(blocks.data() + U(knot) * U(size_ * size_), size_, size_);
     for (int a = 0; 3 * a < size_; ++a)
       for (int b = 0; 3 * b < size_; ++b)
-        P.block<3, 3>(3 * a, 3 * b) =
-            world(knot, a) *
-            covariance.block<3, 3>(index.OffsetOf(problem_.Attitude(knot, a)),
-                                   index.OffsetOf(problem_.Attitude(other, b))) *
-            world(other, b).transpose();
+        P.block<3, 3>(3 * a, 3 * b) = Covariance(here[U(a)], other[U(b)], covariance);
+    for (int sensor = 0; 3 * sensor < size_; ++sensor) {
+      const double untested = problem_.UntestedMountingSigma(sensor);
+      P.diagonal().segment<3>(3 * sensor).array() += untested * untested;
+    }
   };
-  store(knot, here_);
-  if (knot + 1 < problem_.size().knots) store(knot + 1, across_);
+  store(here, here_);
+  if (knot + 1 < problem_.size().knots) store(all(knot + 1), across_);
 }
 
 void PoseCovariance::CollectJoints(int knot, const BlockIndex& index,
                                    const CovarianceView& covariance) {
   Vector3d* variance = &joints_variance_[U(knot * joints_)];
-  std::vector<Influence> influences{
+  Influences influences{
       {index.OffsetOf(problem_.Root(knot, problem_.size().roots - 1)), Matrix3d::Identity()}};
   *variance = VarianceOf(influences, covariance);
   const int sensors = problem_.size().sensors;
   for (int sensor = problem_.FirstOfArm(); joints_ > 1 && sensor < sensors; ++sensor) {
-    const Matrix3d R_WB = Attitude(state_.Attitude(knot, sensor)).toRotationMatrix();
+    const Matrix3d R_WB = problem_.SegmentAttitude(state_, knot, sensor).toRotationMatrix();
     const Vector d(state_.Constant(UnknownKind::kJointVector, sensor));
-    influences.push_back(
-        {index.OffsetOf(problem_.Attitude(knot, sensor)), -R_WB * Skew<double>(d)});
+    for (const Influence& turn : OnAttitude(problem_, state_, knot, sensor, index))
+      influences.push_back({turn.offset, -Skew<double>(R_WB * d) * turn.J});
     const int lever = index.OffsetOf(problem_.Constant(UnknownKind::kJointVector, sensor));
     if (lever >= 0) influences.push_back({lever, R_WB});
     *++variance = VarianceOf(influences, covariance);

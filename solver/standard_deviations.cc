@@ -130,4 +130,18 @@ void FillStandardDeviations(const ArmProblem& problem, const PoseCovariance& cov
   }
 }
 
+void ScaleStandardDeviations(double factor, Estimate& estimate) {
+  const auto scale = [factor](auto& values) {
+    for (auto& value : values) value *= factor;
+  };
+  for (auto& [name, sd] : estimate.sd_W) scale(sd);
+  for (auto& [segment, sd] : estimate.sd_B) scale(sd);
+  for (auto& [angle, sd] : estimate.sd_angle) scale(sd);
+  for (Constant& constant : estimate.diagnostics.constants) scale(constant.sd);
+  for (HeadingSupport& heading : estimate.diagnostics.headings) {
+    scale(heading.sd);
+    for (auto& [relation, sd] : heading.sd_by) scale(sd);
+  }
+}
+
 }  // namespace brachium

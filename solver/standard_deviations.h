@@ -12,4 +12,7 @@ namespace brachium {
 void FillStandardDeviations(const ArmProblem& problem, const PoseCovariance& covariance,
                             Estimate& estimate);
 
+// Multiplies all of them, those of the constants and headings too.
+void ScaleStandardDeviations(double factor, Estimate& estimate);
+
 }  // namespace brachium

@@ -1,5 +1,6 @@
 #include "solver/trajectory.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -27,29 +28,38 @@ class AttitudeBetweenKnots {
     bias_ = (1 - alpha) * Vector(state.GyroBias(node, sensor)) +
             alpha * Vector(state.GyroBias(node + 1, sensor));
     const auto& mounting = problem.observations().recordings[U(sensor)].mounting;
-    q_BS_ = mounting ? mounting->q_BS : Quaterniond::Identity();
-    q_WS_ = q_start_ = Attitude(state.Attitude(knot, sensor)) * q_BS_;
+    const Quaterniond q_CS = mounting ? mounting->q_BS : Quaterniond::Identity();
+    const Vector mounting_turn(state.Constant(UnknownKind::kMounting, sensor));
+    turn_ = mounting_turn + Vector(state.Skin(knot, sensor));
+    turning_ = Vector(state.Skin(knot + 1, sensor)) - Vector(state.Skin(knot, sensor));
+    q_SC_ = q_CS.conjugate();
+    q_WS_ = Attitude(state.Attitude(knot, sensor)) * q_CS;
+    clock_offset_ = *state.Constant(UnknownKind::kClockOffset, sensor);
     const Preintegrated& interval = problem.Interval(knot, sensor);
-    const Quaterniond q_end =
-        q_start_ * interval.dq * Exp<double>(interval.dR_dbg * (bias_ - interval.gyro_bias));
-    closing_ =
-        Log<double>(q_end.conjugate() * (Attitude(state.Attitude(knot + 1, sensor)) * q_BS_));
+    const Vector3d correction =
+        interval.dR_dbg * (bias_ - interval.gyro_bias) + interval.dR_dc * clock_offset_;
+    const Quaterniond q_end = q_WS_ * interval.dq * Exp<double>(correction);
+    closing_ = Log<double>(q_end.conjugate() * (Attitude(state.Attitude(knot + 1, sensor)) * q_CS));
   }
 
   // Times must not decrease from call to call.
   Quaterniond At(double time) {
-    if (time > time_) q_WS_ = q_WS_ * problem_.Samples(sensor_).Sum(time_, time, bias_).dq;
+    const Preintegrator& samples = problem_.Samples(sensor_);
+    const double from = std::clamp(time_ - clock_offset_, samples.Begin(), samples.End());
+    const double to = std::clamp(time - clock_offset_, samples.Begin(), samples.End());
+    if (to > from) q_WS_ = q_WS_ * samples.Sum(from, to, bias_).dq;
     time_ = std::max(time, time_);
     const double fraction = (time_ - start_) / (end_ - start_);
-    return (q_WS_ * Exp<double>(fraction * closing_) * q_BS_.conjugate()).normalized();
+    const Quaterniond q_SB = q_SC_ * Exp<double>(-turn_ - fraction * turning_);
+    return (q_WS_ * Exp<double>(fraction * closing_) * q_SB).normalized();
   }
 
  private:
   const ArmProblem& problem_;
   int sensor_;
-  double start_, end_, time_;
-  Vector3d bias_, closing_;
-  Quaterniond q_BS_, q_start_, q_WS_;
+  double start_, end_, time_, clock_offset_;
+  Vector3d bias_, closing_, turn_, turning_;
+  Quaterniond q_SC_, q_WS_;
 };
 
 // Slope of the arm's root at a knot: a sensor's own velocity, else differences of its neighbours.

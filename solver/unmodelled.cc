@@ -67,7 +67,7 @@ class Residuals {
     values_.clear();
     pointers_.clear();
     for (std::size_t i = 0; i < term.unknowns.size(); ++i) {
-      J_[i].resize(r_.size(), problem_.Describe(term.unknowns[i]).Tangent());
+      J_[i].resize(r_.size(), TangentSize(problem_.Describe(term.unknowns[i]).Size()));
       values_.push_back(problem_.Value(state_, term.unknowns[i]));
       pointers_.push_back(J_[i].data());
     }
@@ -78,6 +78,7 @@ class Residuals {
     moved_.setZero(r_.size());
     for (std::size_t i = 0; i < term.unknowns.size(); ++i) {
       const auto& variable = plan_.variables()[U(plan_.IndexOf(term.unknowns[i]))];
+      if (variable.tangent == 0) continue;
       moved_ += J_[i] *
                 Eigen::Map<const Eigen::VectorXd>(&deviation[U(variable.column)], variable.tangent);
     }

@@ -1,13 +1,13 @@
 // Accelerometer: between two knots the sensor moves as its specific force and gravity say.
 //
-//   r_v = R_kᵀ (v_k+1 - v_k - g D) - dv(b, a, s)                R_k = R_WB,k R_BS
-//   r_p = R_kᵀ (P_k+1 - P_k - v_k D - g D²/2) - dp(b, a, s)
+//   r_v = R_kᵀ (v_k+1 - v_k - g D) - dv(b, a, s, τ)                R_k = R_WB,k R_BS
+//   r_p = R_kᵀ (P_k+1 - P_k - v_k D - g D²/2) - dp(b, a, s, τ)
 //   r   = W [r_v; r_p],   Wᵀ W = (C ⊗ I₃)⁻¹
 //
 // Frames    W world (z up, g = (0, 0, -gravity)), B the segment that wears the sensor, S sensor.
 // Unknowns  q_WB at k; P_k, P_k+1, v_k, v_k+1: place [m] and velocity [m/s] of the sensor in W; gyro
 //           bias at the two nodes about the interval [rad/s]; accelerometer bias a [m/s²]; scale
-//           errors s of gyroscope and accelerometer [1].
+//           errors s of gyroscope and accelerometer [1]; τ: how far its clock is behind [s].
 // Weight    C = covariance of (dv, dp) on one axis; their correlation (0.87 for white noise) is kept.
 // Jacobian  with u_v, u_p the brackets above in W and ŵ = R_BW u: ∂r/∂φ = R_SB [ŵ]x; the samples'
 //           corrections are linear (preintegration.h); all else is ± R_SW.
@@ -26,8 +26,8 @@ namespace brachium {
 class Accelerometer {
  public:
   static constexpr int kResiduals = 6;
-  // q_WB, P_k, P_k+1, v_k, v_k+1, gyro biases and scale, accelerometer bias and scale
-  using Blocks = std::integer_sequence<int, 4, 3, 3, 3, 3, 3, 3, 3, 3, 3>;
+  // q_WB, P_k, P_k+1, v_k, v_k+1, gyro biases and scale, accelerometer bias and scale, clock
+  using Blocks = std::integer_sequence<int, 4, 3, 3, 3, 3, 3, 3, 3, 3, 3, 1>;
 
   // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1. `gravity` [m/s²].
   Accelerometer(const Preintegrated& interval, const Eigen::Quaterniond& q_BS, double alpha,
@@ -48,10 +48,12 @@ class Accelerometer {
     const auto s_g = Vector<T>(x[7]), a = Vector<T>(x[8]), s_a = Vector<T>(x[9]);
     const Vector3T<T> r_v = q_SW * u_v - interval_.dv.cast<T>() -
                             interval_.dv_dbg.cast<T>() * bias - interval_.dv_dsg.cast<T>() * s_g -
-                            interval_.dv_dba.cast<T>() * a - interval_.dv_dsa.cast<T>() * s_a;
+                            interval_.dv_dba.cast<T>() * a - interval_.dv_dsa.cast<T>() * s_a -
+                            interval_.dv_dc.cast<T>() * x[10][0];
     const Vector3T<T> r_p = q_SW * u_p - interval_.dp.cast<T>() -
                             interval_.dp_dbg.cast<T>() * bias - interval_.dp_dsg.cast<T>() * s_g -
-                            interval_.dp_dba.cast<T>() * a - interval_.dp_dsa.cast<T>() * s_a;
+                            interval_.dp_dba.cast<T>() * a - interval_.dp_dsa.cast<T>() * s_a -
+                            interval_.dp_dc.cast<T>() * x[10][0];
     whitening_.Apply(r_v, r_p, r);
   }
 
@@ -75,6 +77,7 @@ class Accelerometer {
     Store(J[7], -interval_.dv_dsg, -interval_.dp_dsg);
     Store(J[8], -interval_.dv_dba, -interval_.dp_dba);
     Store(J[9], -interval_.dv_dsa, -interval_.dp_dsa);
+    StoreClock(J[10]);
   }
 
  private:
@@ -85,6 +88,12 @@ class Accelerometer {
     Eigen::Map<RowMajor<6, 3>> block(J);
     block.topRows<3>() = whitening_.vv * J_v;
     block.bottomRows<3>() = whitening_.pv * J_v + whitening_.pp * J_p;
+  }
+
+  void StoreClock(double* J) const {
+    Eigen::Map<Eigen::Matrix<double, 6, 1>> block(J);
+    block.head<3>() = -whitening_.vv * interval_.dv_dc;
+    block.tail<3>() = -whitening_.pv * interval_.dv_dc - whitening_.pp * interval_.dp_dc;
   }
 
   Preintegrated interval_;

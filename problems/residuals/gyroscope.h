@@ -1,18 +1,20 @@
 // Gyroscope: the attitude turns between two knots as the rates, less their bias, say.
 //
 //   r = Log( dR(b)ᵀ R_WS,k⁻¹ R_WS,k+1 ) / σ,   R_WS = R_WB R_BS,
-//   dR(b) = dR Exp(c),   c = dR_dbg (b - b̄) + dR_dsg s,   b = (1-α) b_j + α b_j+1, the value at the
-//   interval's middle
+//   dR(b) = dR Exp(c),   c = dR_dbg (b - b̄) + dR_dsg s + dR_dc τ,   b = (1-α) b_j + α b_j+1, the
+//   value at the interval's middle
 //
 // Frames    W world, B segment, S sensor. dR: attitude at the end in the sensor's frame at the start.
 // Unknowns  q_WB,k, q_WB,k+1 (right perturbed, rad); b_j, b_j+1: gyro bias at the two nodes about the
-//           interval [rad/s]; s: scale error of each axis [1].
+//           interval [rad/s]; s: scale error of each axis [1]; τ: how far its clock is
+//           behind [s].
 // Weight    σ² [rad²]: white noise S_g D, a scale that varies, missing samples; isotropic, since a white
 //           isotropic rate noise stays so under rotation.
 // Jacobian  with e = Log(·) and M = R_WS,k⁻¹ R_WS,k+1:
 //           ∂e/∂φ_k = -Jr⁻¹(e) Mᵀ R_BSᵀ,   ∂e/∂φ_k+1 = Jr⁻¹(e) R_BSᵀ,
-//           ∂e/∂b   = -Jr⁻¹(e) Exp(e)ᵀ Jr(c) dR_dbg, likewise for s.
-// Blind to  any rotation of the world; s about an axis that the sensor does not turn about; a change of bias and an equal change of mean rate.
+//           ∂e/∂b   = -Jr⁻¹(e) Exp(e)ᵀ Jr(c) dR_dbg, likewise for s and τ.
+// Blind to  any rotation of the world; s about an axis that the sensor does not turn about; a change
+//           of bias and an equal change of mean rate; τ while the rate is steady.
 // Source    Forster, Carlone, Dellaert & Scaramuzza, IEEE T-RO 33 (2017) 1-21, eqs. 37 and 44.
 #pragma once
 
@@ -24,7 +26,8 @@ namespace brachium {
 class Gyroscope {
  public:
   static constexpr int kResiduals = 3;
-  using Blocks = std::integer_sequence<int, 4, 4, 3, 3, 3>;  // q_WB,k, q_WB,k+1, b_j, b_j+1, s
+  using Blocks =
+      std::integer_sequence<int, 4, 4, 3, 3, 3, 1>;  // q_WB,k, q_WB,k+1, b_j, b_j+1, s, τ
 
   // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1. `sigma` [rad].
   Gyroscope(const Preintegrated& interval, const Eigen::Quaterniond& q_BS, double alpha,
@@ -32,6 +35,7 @@ class Gyroscope {
       : dq_(interval.dq),
         dR_dbg_(interval.dR_dbg),
         dR_dsg_(interval.dR_dsg),
+        dR_dc_(interval.dR_dc),
         bias_(interval.gyro_bias),
         q_BS_(q_BS),
         alpha_(alpha),
@@ -43,8 +47,8 @@ class Gyroscope {
     using Vector = Eigen::Map<const Vector3T<T>>;
     const Eigen::Quaternion<T> q_BS = q_BS_.cast<T>();
     const Vector3T<T> bias = (T(1) - T(alpha_)) * Vector(x[2]) + T(alpha_) * Vector(x[3]);
-    const Vector3T<T> correction =
-        dR_dbg_.cast<T>() * (bias - bias_.cast<T>()) + dR_dsg_.cast<T>() * Vector(x[4]);
+    const Vector3T<T> correction = dR_dbg_.cast<T>() * (bias - bias_.cast<T>()) +
+                                   dR_dsg_.cast<T>() * Vector(x[4]) + dR_dc_.cast<T>() * x[5][0];
     const Eigen::Quaternion<T> dq = dq_.cast<T>() * Exp<T>(correction);
     const Eigen::Quaternion<T> turn = (Rotation(x[0]) * q_BS).conjugate() * (Rotation(x[1]) * q_BS);
     Eigen::Map<Vector3T<T>>{r} = T(weight_) * Log<T>(dq.conjugate() * turn);
@@ -55,7 +59,8 @@ class Gyroscope {
     using Vector = Eigen::Map<const Eigen::Vector3d>;
     using Block = Eigen::Map<RowMajor<3, 3>>;
     const Eigen::Vector3d bias = (1 - alpha_) * Vector(x[2]) + alpha_ * Vector(x[3]);
-    const Eigen::Vector3d correction = dR_dbg_ * (bias - bias_) + dR_dsg_ * Vector(x[4]);
+    const Eigen::Vector3d correction =
+        dR_dbg_ * (bias - bias_) + dR_dsg_ * Vector(x[4]) + dR_dc_ * x[5][0];
     const Eigen::Quaterniond q_error = (dq_ * Exp<double>(correction)).conjugate() *
                                        (Rotation(x[0]) * q_BS_).conjugate() *
                                        (Rotation(x[1]) * q_BS_);
@@ -69,11 +74,13 @@ class Gyroscope {
     Block{J[2]} = (1 - alpha_) * J_b;
     Block{J[3]} = alpha_ * J_b;
     Block{J[4]} = J_c * dR_dsg_;
+    Eigen::Map<Eigen::Vector3d>{J[5]} = J_c * dR_dc_;
   }
 
  private:
   Eigen::Quaterniond dq_;
   Eigen::Matrix3d dR_dbg_, dR_dsg_;
+  Eigen::Vector3d dR_dc_;
   Eigen::Vector3d bias_;
   Eigen::Quaterniond q_BS_;
   double alpha_;

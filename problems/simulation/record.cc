@@ -47,6 +47,7 @@ Mounting TellMounting(const Scenario& scenario, const SimulationOptions& options
   Mounting told = sensor.worn.mounting;
   told.p_BS_B += error("lever_arm", options.lever_arm_error);
   told.q_BS = told.q_BS * Exp<double>(error("mounting_error", options.mounting_error));
+  if (options.mounting_error == 0.0) told.q_sigma = 0.0;
   if (options.draw_sizes) {
     if (options.lever_arm_error > 0.0) told.p_sigma = options.lever_arm_error;
     if (options.mounting_error > 0.0) told.q_sigma = options.mounting_error;

@@ -135,6 +135,9 @@ TEST(ArmProblem, SaysOfEveryUnknownWhatItIsAndWhereItsValueLies) {
         case UnknownKind::kPlace:
           index = problem.Place(u.place, u.sensor);
           break;
+        case UnknownKind::kSkin:
+          index = problem.Skin(u.place, u.sensor);
+          break;
         case UnknownKind::kAdduction:
           index = problem.Adduction(u.place);
           break;

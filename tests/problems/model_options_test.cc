@@ -20,5 +20,15 @@ TEST(ModelOptions, SayWhatIsWrong) {
   EXPECT_FALSE(options.IsValid(&why));
 }
 
+TEST(ModelOptions, TakeZeroForWhatIsKnownExactly) {
+  std::string why;
+  ModelOptions options;
+  options.clock_offset_sigma_s = options.gyro_scale_sigma = options.accel_scale_sigma = 0.0;
+  EXPECT_TRUE(options.IsValid(&why)) << why;
+  options.clock_offset_sigma_s = -1e-3;
+  EXPECT_FALSE(options.IsValid(&why));
+  EXPECT_EQ(why, "clock_offset_sigma_s must not be negative");
+}
+
 }  // namespace
 }  // namespace brachium

@@ -136,6 +136,27 @@ TEST(Preintegrated, ForetellsAScaleErrorOfTheAccelerometer) {
                  before.dv_dsa, before.dp_dsa, scale);
 }
 
+TEST(Preintegrated, ForetellsWhatAClockThatIsBehindChanges) {
+  const Preintegrator samples(Even(SwayingSensor(0.7), 400.0, 0.8));
+  const auto before = samples.Sum(0.2, 0.6, kNoBias);
+  const auto along_x = [](const Vector3d& derivative) {
+    Matrix3d matrix = Matrix3d::Zero();
+    matrix.col(0) = derivative;
+    return matrix;
+  };
+  const double behind = 1e-4;
+  ExpectForetold(before, samples.Sum(0.2 - behind, 0.6 - behind, kNoBias), along_x(before.dR_dc),
+                 along_x(before.dv_dc), along_x(before.dp_dc), Vector3d(behind, 0.0, 0.0));
+}
+
+TEST(Preintegrated, KnowsWhatAClockThatIsBehindChangesUpToBothEndsOfTheRecording) {
+  const Preintegrator samples(Even(SwayingSensor(0.7), 100.0, 0.8));
+  const auto whole = samples.Sum(samples.Begin(), samples.End(), kNoBias);
+  EXPECT_TRUE(whole.dR_dc.allFinite());
+  EXPECT_TRUE(whole.dv_dc.allFinite());
+  EXPECT_TRUE(whole.dp_dc.allFinite());
+}
+
 TEST(Preintegrator, ComposesOverAKnotThatCutsACell) {
   const MovingSensor sensor = SwayingSensor(0.7);
   const Preintegrator samples(Even(sensor, 100.0, 0.8));

@@ -20,13 +20,15 @@ std::vector<std::pair<double*, int>> Blocks(State& state) {
       blocks.push_back({state.Attitude(knot, sensor), 4});
       blocks.push_back({state.Velocity(knot, sensor), 3});
       blocks.push_back({state.Place(knot, sensor), 3});
+      blocks.push_back({state.Skin(knot, sensor), 3});
     }
     for (int node = 0; node < size.nodes; ++node)
       blocks.push_back({state.GyroBias(node, sensor), 3});
     for (const auto kind :
          {UnknownKind::kGyroScale, UnknownKind::kAccelBias, UnknownKind::kAccelScale,
-          UnknownKind::kSensorPosition, UnknownKind::kJointVector})
+          UnknownKind::kSensorPosition, UnknownKind::kJointVector, UnknownKind::kMounting})
       blocks.push_back({state.Constant(kind, sensor), 3});
+    blocks.push_back({state.Constant(UnknownKind::kClockOffset, sensor), 1});
   }
   for (int knot = 0; knot < size.knots; ++knot) {
     for (int root = 0; root < size.roots; ++root) blocks.push_back({state.Root(knot, root), 3});

@@ -43,7 +43,9 @@ TEST(Certainty, IsThatOfTheDenseInverse) {
 
   const Certainty certainty = solved.Assess();
   EXPECT_TRUE(certainty.singular.empty());
-  const int constants = problem.unknowns() - problem.FirstConstant();
+  int constants = 0;
+  for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown)
+    constants += problem.Describe(unknown).held ? 0 : 1;
   EXPECT_EQ(certainty.constant_sd.size(),
             static_cast<std::size_t>(constants + 2 * problem.size().nodes));
   for (const auto& [unknown, found] : certainty.constant_sd) {

@@ -74,6 +74,14 @@ TEST(HeldByPrior, NamesWhatAStillArmCannotTell) {
   EXPECT_THAT(sentences, Not(Contains(HasSubstr("gyro_bias (x, y, z)"))));
 }
 
+TEST(HeldByPrior, NamesTheHeadingOfASensorAlone) {
+  Observations alone = Brisk(16).observations;
+  alone.recordings.erase(alone.recordings.begin());
+  const Solved solved(alone);
+  EXPECT_THAT(HeldByPrior(solved.problem, solved.certainty),
+              Contains(HasSubstr("heading of the forearm")));
+}
+
 TEST(HeldByPrior, SaysLessOfAnArmThatMoves) {
   const Solved still(Still()), moving(Brisk(16).observations);
   const auto sentences = HeldByPrior(moving.problem, moving.certainty);

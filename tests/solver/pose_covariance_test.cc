@@ -36,14 +36,14 @@ class Poses : public testing::Test {
 
   static Observations Moved() {
     Observations observations = Brisk(16).observations;
-    for (Recording& recording : observations.recordings) recording = Cut(recording, 5.0, 8.0);
+    for (Recording& recording : observations.recordings) {
+      recording = Cut(recording, 5.0, 8.0);
+      recording.mounting->q_sigma = 2 * kDegree;
+    }
     observations.start_pose.reset();
     return observations;
   }
 
-  Matrix3d Turn(int knot, int sensor) {
-    return Map<Quaterniond>(state_.Attitude(knot, sensor)).toRotationMatrix();
-  }
   Matrix3d Dense(int a, int b) { return dense_.block<3, 3>(all_->OffsetOf(a), all_->OffsetOf(b)); }
 };
 
@@ -52,27 +52,28 @@ TEST_F(Poses, HaveTheAttitudesOfTheDenseInverse) {
     const MatrixXd P = poses_->Attitudes(knot, 0.0);
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) {
-        const Matrix3d expected = Turn(knot, a) *
-                                  Dense(problem_.Attitude(knot, a), problem_.Attitude(knot, b)) *
-                                  Turn(knot, b).transpose();
+        Matrix3d expected = Matrix3d::Zero();
+        for (const auto& [left, J_left] : TurnsOfSegment(problem_, state_, knot, a))
+          for (const auto& [right, J_right] : TurnsOfSegment(problem_, state_, knot, b))
+            expected += J_left * Dense(left, right) * J_right.transpose();
         EXPECT_LT((P.block<3, 3>(3 * a, 3 * b) - expected).norm(), 1e-7 * expected.norm());
       }
   }
 }
 
-// p = p_root + R_U d: by finite steps of all unknowns that it depends on.
+// p = p_root + R_U d.
 TEST_F(Poses, HaveTheElbowOfTheDenseInverse) {
-  const int knot = 11, root = problem_.Root(knot, 0), q = problem_.Attitude(knot, 0),
-            lever = problem_.Constant(UnknownKind::kJointVector, 0);
-  const Matrix3d R = Turn(knot, 0);
+  const int knot = 11, lever = problem_.Constant(UnknownKind::kJointVector, 0);
+  const Matrix3d R = problem_.SegmentAttitude(state_, knot, 0).toRotationMatrix();
   const Vector3d d = Map<Vector3d>(state_.Constant(UnknownKind::kJointVector, 0));
-  Eigen::Matrix<double, 3, 9> J;
-  J << Matrix3d::Identity(), -R * Skew<double>(d), R;
-  Eigen::Matrix<double, 9, 9> P;
-  const int unknowns[] = {root, q, lever};
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) P.block<3, 3>(3 * a, 3 * b) = Dense(unknowns[a], unknowns[b]);
-  const Vector3d expected = (J * P * J.transpose()).diagonal();
+  auto moves = TurnsOfSegment(problem_, state_, knot, 0);
+  for (auto& [unknown, J] : moves) J = -Skew<double>(R * d) * J;
+  moves.emplace_back(problem_.Root(knot, 0), Matrix3d::Identity());
+  moves.emplace_back(lever, R);
+  Vector3d expected = Vector3d::Zero();
+  for (const auto& [left, J_left] : moves)
+    for (const auto& [right, J_right] : moves)
+      expected += (J_left * Dense(left, right) * J_right.transpose()).diagonal();
   EXPECT_LT((poses_->Joints(knot, 0.0)[1] - expected).norm(), 1e-7 * expected.norm());
 }
 
@@ -116,6 +117,39 @@ TEST(StandardDeviations, AreOfTheSizeOfTheErrors) {
   const double rms = std::sqrt(squares / static_cast<double>(q_UF.size()));
   EXPECT_GT(rms, 0.05);  // these sensors have no scale errors, for which the model allows
   EXPECT_LT(rms, 3.0);
+}
+
+TEST(StandardDeviations, HoldWhatWasToldOfAMountingThatNothingInTheTrialTests) {
+  Observations observations = Brisk(16).observations;
+  observations.arm.elbow.adduction_constraint = false;
+  for (Recording& recording : observations.recordings) recording.mounting->q_sigma = 3 * kDegree;
+  const Estimate told = BatchSmoother({}).Run(observations);
+  SmootherOptions exactly;
+  exactly.model.estimate_mountings = false;
+  const Estimate exact = BatchSmoother(exactly).Run(observations);
+  const auto variance = [](const Estimate& estimate) {
+    return Vector3d(estimate.sd_B.at(Segment::kForearm)[800].cwiseAbs2());
+  };
+  const Vector3d more = variance(told) - variance(exact);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(more[axis], std::pow(3 * kDegree, 2), 0.01 * std::pow(3 * kDegree, 2));
+}
+
+TEST(StandardDeviations, AreScaledByTheResidualsOnDemand) {
+  const Observations observations = Brisk(16).observations;
+  const Estimate plain = BatchSmoother({}).Run(observations);
+  const Estimate scaled =
+      BatchSmoother({.scale_sd_by_residuals = true, .model = {}}).Run(observations);
+  double factor = 0.0;
+  for (const Figure& figure : plain.diagnostics.figures)
+    if (figure.name == "residual_scale") factor = figure.value;
+  EXPECT_GT(factor, 0.3);
+  EXPECT_LT(factor, 1.2);
+  EXPECT_NEAR(scaled.sd_angle.at("elbow_flexion")[800],
+              factor * plain.sd_angle.at("elbow_flexion")[800], 1e-12);
+  EXPECT_NEAR(scaled.sd_W.at("elbow")[800].x(), factor * plain.sd_W.at("elbow")[800].x(), 1e-12);
+  EXPECT_NEAR(scaled.diagnostics.constants[0].sd.at(0),
+              factor * plain.diagnostics.constants[0].sd.at(0), 1e-12);
 }
 
 TEST(StandardDeviations, AreLeftOutOnDemand) {

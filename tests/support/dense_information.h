@@ -4,9 +4,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "problems/arm_problem.h"
+#include "problems/rotation.h"
 
 namespace brachium {
 
@@ -35,12 +37,14 @@ struct DenseInformation {
     std::vector<Block> J;
     for (const int unknown : unknowns) {
       values.push_back(problem.Value(state, unknown));
-      J.emplace_back(cost.num_residuals(), problem.Describe(unknown).Tangent());
+      J.emplace_back(cost.num_residuals(), TangentSize(problem.Describe(unknown).Size()));
     }
     std::vector<double*> jacobians;
     for (Block& block : J) jacobians.push_back(block.data());
     Eigen::VectorXd r(cost.num_residuals());
     cost.EvaluateTangent(values.data(), r.data(), jacobians.data());
+    for (std::size_t i = 0; i < J.size(); ++i)
+      if (problem.Describe(unknowns[i]).held) J[i].resize(J[i].rows(), 0);
     for (std::size_t i = 0; i < J.size(); ++i) {
       g.segment(OffsetOf(unknowns[i]), J[i].cols()) += J[i].transpose() * r;
       for (std::size_t j = 0; j < J.size(); ++j)
@@ -75,6 +79,36 @@ inline Eigen::MatrixXd SolvedInLongDouble(const Eigen::MatrixXd& H, const Eigen:
   const Eigen::LLT<Long> llt(scaled);
   const Long right = (scale.asDiagonal() * B).cast<long double>();
   return scale.asDiagonal() * llt.solve(right).cast<double>();
+}
+
+// What the error of a segment's attitude, in world axes, is made of: unknowns and derivatives, found
+// by small changes of their values.
+inline std::vector<std::pair<int, Eigen::Matrix3d>> TurnsOfSegment(const ArmProblem& problem,
+                                                                   const State& state, int knot,
+                                                                   int sensor) {
+  constexpr double kStep = 1e-5;
+  const Eigen::Quaterniond q_BW = problem.SegmentAttitude(state, knot, sensor).conjugate();
+  std::vector<std::pair<int, Eigen::Matrix3d>> turns;
+  for (const int unknown :
+       {problem.Attitude(knot, sensor), problem.Constant(UnknownKind::kMounting, sensor)}) {
+    if (problem.Describe(unknown).held) continue;
+    Eigen::Matrix3d J;
+    const auto turned = [&](const Eigen::Vector3d& step) -> Eigen::Vector3d {
+      State other = state;
+      double* x = problem.Value(other, unknown);
+      if (problem.Describe(unknown).Size() == 4)
+        Eigen::Map<Eigen::Quaterniond>{x} = Eigen::Map<Eigen::Quaterniond>(x) * Exp<double>(step);
+      else
+        Eigen::Map<Eigen::Vector3d>{x} += step;
+      return Log<double>(problem.SegmentAttitude(other, knot, sensor) * q_BW);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(axis);
+      J.col(axis) = (turned(step) - turned(-step)) / (2 * kStep);
+    }
+    turns.emplace_back(unknown, J);
+  }
+  return turns;
 }
 
 }  // namespace brachium

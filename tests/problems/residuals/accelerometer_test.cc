@@ -20,6 +20,7 @@ const Mounting kMounting{.q_BS = Exp<double>(Vector3d(0.4, -1.0, 0.7)),
 struct SensorFaults {
   Vector3d b_j = Vector3d::Zero(), b_j1 = Vector3d::Zero(), gyro_scale = Vector3d::Zero();
   Vector3d accel_bias = Vector3d::Zero(), accel_scale = Vector3d::Zero();
+  double behind = 0.0;
 };
 
 // A sensor on a swaying segment.
@@ -36,6 +37,7 @@ struct Example {
                 .cwiseQuotient(Vector3d::Ones() - faults.gyro_scale);
     for (Vector3d& acc : recording.acc_S)
       acc = (acc + faults.accel_bias).cwiseQuotient(Vector3d::Ones() - faults.accel_scale);
+    for (double& time : recording.time) time -= faults.behind;
     interval = Preintegrator(recording).Sum(kStart, kEnd, Vector3d::Zero());
     const SensorInstant before = sensor(kStart), after = sensor(kEnd);
     x = {body(kStart).turning.q_AB.coeffs(),
@@ -47,7 +49,8 @@ struct Example {
          faults.b_j1,
          faults.gyro_scale,
          faults.accel_bias,
-         faults.accel_scale};
+         faults.accel_scale,
+         VectorXd::Constant(1, faults.behind)};
   }
 
   Accelerometer Residual(const Whitening2& whitening = {}, double gravity = kGravity) const {
@@ -80,6 +83,13 @@ TEST(Accelerometer, TakesOffBiasesAndScaleErrorsOfTheSensor) {
   EXPECT_LT(ResidualAt(example.Residual(), example.x).norm(), 3e-6);
 }
 
+TEST(Accelerometer, KnowsWhatAClockThatIsBehindChanges) {
+  Example example({.behind = 2e-3});
+  const double known = ResidualAt(example.Residual(), example.x).norm();
+  example.x.back().setZero();
+  EXPECT_LT(known, 0.05 * ResidualAt(example.Residual(), example.x).norm());
+}
+
 TEST(Accelerometer, IsBlindToHeadingToThePlaceAndToASteadyVelocityOfTheWhole) {
   const Example example;
   std::mt19937 random(1);
@@ -104,6 +114,8 @@ TEST(Accelerometer, DerivativesAgree) {
   for (Eigen::Matrix3d* block : {&example.interval.dv_dbg, &example.interval.dp_dbg,
                                  &example.interval.dv_dsg, &example.interval.dp_dsg})
     for (int i = 0; i < 3; ++i) block->col(i) = RandomVector(3, random);
+  example.interval.dv_dc = RandomVector(3, random);
+  example.interval.dp_dc = RandomVector(3, random);
   EXPECT_TRUE(DerivativesAgreeAtRandomPoints(example.Residual(Whitening2::FromCovariance(white))));
   EXPECT_TRUE(DerivativesAgree(example.Residual(), example.x));
 }
@@ -131,7 +143,8 @@ TEST(Accelerometer, CannotTellTiltFromBiasWhileTheSensorKeepsItsAttitude) {
   const Vector3d zero = Vector3d::Zero();
   const Quaterniond upright = Quaterniond::Identity(), tilted = Exp<double>({tilt, 0.0, 0.0});
   const auto at = [&](const Quaterniond& q, const Vector3d& bias) {
-    return ResidualAt(residual, {q.coeffs(), zero, zero, zero, zero, zero, zero, zero, bias, zero});
+    return ResidualAt(residual, {q.coeffs(), zero, zero, zero, zero, zero, zero, zero, bias, zero,
+                                 VectorXd::Zero(1)});
   };
   EXPECT_LT(at(upright, zero).norm(), 1e-12);
   EXPECT_GT(at(tilted, zero).norm(), 0.9 * kGravity * tilt * kDuration);

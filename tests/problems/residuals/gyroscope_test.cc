@@ -21,20 +21,22 @@ struct Example {
   Preintegrated interval;
 
   explicit Example(const Vector3d& bias, const Vector3d& taken_off = kZero,
-                   const Vector3d& scale = kZero) {
+                   const Vector3d& scale = kZero, double behind = 0.0) {
     const auto body = [](double t) { return SwayingBody(t, 0.3); };
     const MovingSensor sensor = [&](double t) { return SensorOn(body(t), kMounting); };
     Recording recording = Recorded(sensor, EvenTimes(0.0005, 0.001, 500));
     for (Vector3d& gyr : recording.gyr_S)
       gyr = (gyr + bias).cwiseQuotient(Vector3d::Ones() - scale);
+    for (double& time : recording.time) time -= behind;
     interval = Preintegrator(recording).Sum(kStart, kEnd, taken_off);
     before = body(kStart).turning.q_AB;
     after = body(kEnd).turning.q_AB;
   }
   Gyroscope Residual() const { return {interval, kMounting.q_BS, kAlpha, kSigma}; }
-  BlockValues Values(const Vector3d& b_j, const Vector3d& b_j1,
-                     const Vector3d& scale = kZero) const {
-    return {before.coeffs(), after.coeffs(), b_j, b_j1, scale};
+  BlockValues Values(const Vector3d& b_j, const Vector3d& b_j1, const Vector3d& scale = kZero,
+                     double behind = 0.0) const {
+    return {
+        before.coeffs(), after.coeffs(), b_j, b_j1, scale, Eigen::VectorXd::Constant(1, behind)};
   }
 };
 
@@ -56,6 +58,13 @@ TEST(Gyroscope, TakesOffTheScaleErrorOfEachAxis) {
   EXPECT_GT(ResidualAt(example.Residual(), example.Values(kZero, kZero)).norm(), 0.1);
 }
 
+TEST(Gyroscope, KnowsWhatAClockThatIsBehindChanges) {
+  const double behind = 2e-3;
+  const Example example(kZero, kZero, kZero, behind);
+  EXPECT_LT(ResidualAt(example.Residual(), example.Values(kZero, kZero, kZero, behind)).norm(),
+            0.05 * ResidualAt(example.Residual(), example.Values(kZero, kZero)).norm());
+}
+
 TEST(Gyroscope, IsOneAtOneSigma) {
   Example example(kZero);
   example.after = example.after * Exp<double>(Vector3d(0.0, 0.6 * kSigma, -0.8 * kSigma));
@@ -66,7 +75,7 @@ TEST(Gyroscope, IsBlindToAnyRotationOfTheWorld) {
   std::mt19937 random(1);
   const Gyroscope residual = Example(kZero).Residual();
   const BlockValues x = RandomValues(Gyroscope::Blocks(), random, 0.01);
-  const BlockValues turned = TurnedWorld(RandomRotation(random), x, std::vector<bool>(5, false));
+  const BlockValues turned = TurnedWorld(RandomRotation(random), x, std::vector<bool>(6, false));
   EXPECT_LT((ResidualAt(residual, x) - ResidualAt(residual, turned)).norm(), 1e-9);
 }
 
@@ -92,7 +101,8 @@ TEST(Gyroscope, DerivativesAgreeNearAgreementAndFarFromIt) {
     const Gyroscope residual(example.interval, kMounting.q_BS, kAlpha, 0.1);
     EXPECT_TRUE(DerivativesAgree(residual, example.Values(kZero, kZero))) << angle;
     const Vector3d scale = RandomVector(3, random, 0.1);
-    EXPECT_TRUE(DerivativesAgree(residual, example.Values(b_j, b_j1, scale))) << angle;
+    const double behind = RandomVector(1, random, 0.01)[0];
+    EXPECT_TRUE(DerivativesAgree(residual, example.Values(b_j, b_j1, scale, behind))) << angle;
   }
 }
 
