@@ -43,9 +43,9 @@ struct SimulationOptions {
   double misalignment = 0.0;                   // sd of each off-diagonal element [rad]
 
   double lever_arm_error = 0.005;  // distance from the told to the true sensor position [m]
-  double mounting_error = 0.0;     // angle from the told to the true rotation [rad]; 0: told as exact
-  double length_error = 0.003;     // of each told segment length, of either sign [m]
-  double start_pose_error = 0.0;   // sd of each told start angle [rad]
+  double mounting_error = 0.0;  // angle from the told to the true rotation [rad]; 0: told as exact
+  double length_error = 0.003;  // of each told segment length, of either sign [m]
+  double start_pose_error = 0.0;  // sd of each told start angle [rad]
 
   double clock_offset = 0.0;     // of every sensor but the first, of either sign [s]
   double sampling_jitter = 0.0;  // sd of each cell edge about its regular time; told truly [s]
