@@ -20,6 +20,7 @@ DEFINE_string(scenarios, "daily_brisk,daily_slow", "Movements, pooled.");
 DEFINE_int32(first_seed, 1, "Of the trials of each movement.");
 DEFINE_int32(seeds, 100, "How many trials of each movement.");
 DEFINE_double(seconds, 60.0, "Length of a trial that goes on for as long as it is asked to.");
+DEFINE_bool(scale_sd_by_residuals, false, "As the smoother's option of that name.");
 DEFINE_int32(threads, 0, "0: as many as the machine has.");
 
 namespace brachium {
@@ -58,6 +59,7 @@ NormalisedErrors ErrorsOf(const std::string& scenario, const Change& change, int
   UncertainCase drawn =
       DrawnAsStated(scenario, static_cast<std::uint64_t>(seed),
                     scenario.starts_with("daily") ? FLAGS_seconds : UsualDuration(usual));
+  drawn.smoother.scale_sd_by_residuals = FLAGS_scale_sd_by_residuals;
   change(drawn);
   return NormalisedErrorsOf(drawn, {0.3, 0.6, 0.9});
 } catch (const std::domain_error&) {
