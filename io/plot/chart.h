@@ -17,6 +17,11 @@ struct LineSeries {
   Stroke stroke{.width = 1.5};
 };
 
+// A part of the x axis, shaded from bottom to top.
+struct Span {
+  double from = 0.0, to = 0.0;
+};
+
 // Between two lines.
 struct Band {
   std::string name{};
@@ -57,6 +62,8 @@ struct Rule {
 struct Chart {
   std::string title{};
   Axis x{}, y{};
+  std::string spans_name{};  // what is shaded
+  std::vector<Span> spans{};
   std::vector<Band> bands{};
   std::vector<BoxSeries> boxes{};
   std::vector<LineSeries> lines{};
