@@ -237,7 +237,9 @@ std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) 
     frames.push_back(FrameOf(chart));
     left = std::max(left, LeftMargin(chart.y, frames.back().y_range));
   }
-  const double width = size.width - left - kRightMargin - LegendWidth(charts);
+  const double right = kRightMargin + LegendWidth(charts), narrow = size.width - left - right;
+  for (const Chart& chart : charts) left = std::max(left, LeftOfNames(chart.x, narrow));
+  const double width = size.width - left - right;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     Frame2d& frame = frames[i];
     const double top = size.height * static_cast<double>(i);

@@ -4,7 +4,22 @@
   const height = 210;
   const groups = new Map();  // charts that share their time axis, by estimate
 
-  const data = (id) => JSON.parse(document.getElementById(id).textContent);
+  const unpackedTimes = (packed) =>
+    Array.from(new Uint32Array(packedBytes(packed.data)), (steps) => packed.offset + steps * packed.unit);
+  const unpackedValues = (packed) => Array.from(unpacked(packed), (value) => Number.isNaN(value) ? null : value);
+
+  function chartsOf(id) {
+    const charts = JSON.parse(document.getElementById(id).textContent);
+    for (const chart of charts) {
+      chart.xs = chart.xs.map(unpackedTimes);
+      for (const line of chart.lines) line.y = unpackedValues(line.y);
+      for (const band of chart.bands) {
+        band.low = unpackedValues(band.low);
+        band.high = unpackedValues(band.high);
+      }
+    }
+    return charts;
+  }
 
   function nearestKnown(values, index) {
     for (let reach = 0; reach < values.length; reach++) {
@@ -95,13 +110,13 @@
   function options(chart, group, width) {
     const logarithmic = chart.y.logarithmic === true;
     const number = (plot, value) => value == null ? "–" : String(Number(value.toPrecision(6)));
+    // Charts of a group zoom together; what follows from that comes back here with nothing new.
     const scaled = (plot, key) => {
-      if (key !== "x" || group.busy) return;
-      group.busy = true;
       const {min, max} = plot.scales.x;
+      placeMarker(plot);
+      if (key !== "x" || !group.built || (group.min === min && group.max === max)) return;
+      Object.assign(group, {min, max});
       for (const other of group.plots) if (other !== plot) other.setScale("x", {min, max});
-      group.busy = false;
-      group.plots.forEach(placeMarker);
     };
     return {
       width, height,
@@ -124,7 +139,7 @@
         dash: line.dashes ? line.dashes.split(" ").map(Number) : undefined,
         points: {show: false}, value: number,
       }))),
-      hooks: {drawAxes: [drawBehind(chart)], setScale: [scaled]},
+      hooks: {drawAxes: [drawBehind(chart)], setScale: [scaled], setSize: [placeMarker]},
     };
   }
 
@@ -154,7 +169,7 @@
 
   function build(figure, chart) {
     const key = figure.dataset.estimate || figure.id;
-    if (!groups.has(key)) groups.set(key, {key, plots: [], busy: false});
+    if (!groups.has(key)) groups.set(key, {key, plots: [], built: false});
     const group = groups.get(key);
     const place = document.createElement("div");
     place.className = "chart";
@@ -182,10 +197,7 @@
       })));
     }
     new ResizeObserver(() => {
-      if (place.clientWidth > 0 && place.clientWidth !== plot.width) {
-        plot.setSize({width: place.clientWidth, height});
-        placeMarker(plot);
-      }
+      if (place.clientWidth > 0 && place.clientWidth !== plot.width) plot.setSize({width: place.clientWidth, height});
     }).observe(place);
     group.plots.push(plot);
   }
@@ -204,11 +216,12 @@
   function buildNext() {
     const figure = waiting.shift();
     if (!figure) {
+      for (const group of groups.values()) group.built = true;
       document.documentElement.dataset.charts = "ready";
       return;
     }
     figure.classList.add("is-live");
-    for (const chart of data(figure.dataset.charts)) if (chart.lines.length > 0) build(figure, chart);
+    for (const chart of chartsOf(figure.dataset.charts)) if (chart.lines.length > 0) build(figure, chart);
     setTimeout(buildNext, 0);
   }
   buildNext();

@@ -1,24 +1,17 @@
 #include "io/report/charts_json.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "io/plot/envelope.h"
+#include "io/report/packed.h"
 
 namespace brachium {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json Rounded(const std::vector<double>& values, double parts) {
-  Json json = Json::array();
-  for (const double value : values)
-    json.push_back(std::isfinite(value) ? Json(std::round(value * parts) / parts) : Json());
-  return json;
-}
-
-Json Times(const std::vector<double>& time) { return Rounded(time, 1e5); }
-Json Values(const std::vector<double>& values) { return Rounded(values, 1e4); }
+// Finer than any chart shows, and as coarse as 16 bits ask for.
+Json Values(const std::vector<double>& values) { return Packed(values, 1e-4); }
 
 Json AxisJson(const Axis& axis) {
   Json json = {{"label", axis.label}};
@@ -59,9 +52,9 @@ Json ChartJson(const Chart& chart, std::size_t most) {
   Json lines = Json::array(), bands = Json::array(), spans = Json::array();
   for (const LineSeries& line : chart.lines) lines.push_back(LineJson(line, most, &xs));
   for (const Band& band : chart.bands) bands.push_back(BandJson(band, most, &xs));
-  for (const Span& span : chart.spans) spans.push_back(Times({span.from, span.to}));
+  for (const Span& span : chart.spans) spans.push_back({span.from, span.to});
   Json abscissae = Json::array();
-  for (const auto& x : xs) abscissae.push_back(Times(x));
+  for (const auto& x : xs) abscissae.push_back(PackedTimes(x));
   return {{"title", chart.title},   {"x", AxisJson(chart.x)},
           {"y", AxisJson(chart.y)}, {"xs", abscissae},
           {"lines", lines},         {"bands", bands},

@@ -11,8 +11,8 @@ namespace brachium {
 
 // Per chart: title, x and y (label, logarithmic), xs (abscissae, shared by index), lines (name, x, y,
 // colour, width, dashes), bands (name, x, low, high, colour, opacity), spans and their name. No more
-// than `most` samples of a series, those that stand out among them (plot/envelope.h); gaps are null.
-// Times are rounded to 10 µs, values to a ten-thousandth. Boxes, dots and rules are left out.
+// than `most` samples of a series, those that stand out among them (plot/envelope.h); times and values
+// packed (packed.h). Boxes, dots and rules are left out.
 nlohmann::ordered_json ChartsJson(const std::vector<Chart>& charts, std::size_t most);
 
 }  // namespace brachium

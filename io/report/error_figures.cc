@@ -13,8 +13,8 @@
 namespace brachium {
 namespace {
 
-constexpr double kBounds = 3.0;          // standard deviations to either side
-constexpr std::size_t kMostDots = 1500;  // of a chart of differences over means
+constexpr double kBounds = 3.0;         // standard deviations to either side
+constexpr std::size_t kMostDots = 500;  // of a chart of differences over means
 
 ShownSeries ErrorOf(const ReportedEstimate& reported, const std::string& name,
                     const JointAngleError& angle) {
@@ -41,20 +41,26 @@ std::string ShareWithin(const ShownSeries& error) {
          " % within 3 sd";
 }
 
-// The error as a line, and the bounds as a band about zero.
+// One of the bounds between which the error should stay.
+void AddBound(const ShownSeries& error, double factor, const std::string& name, std::size_t most,
+              Chart* chart) {
+  ShownSeries bound{.time = error.time};
+  for (const double sd : error.sd) bound.value.push_back(factor * sd);
+  AddWithBand(bound, name, "", {.width = 1.0}, 0.0, most, chart);
+}
+
 Chart AngleErrorChart(const ReportedEstimate& reported, const std::string& name,
                       const JointAngleError& angle, std::size_t most) {
   const ShownSeries error = ErrorOf(reported, name, angle);
   Chart chart = ChartOverTime(
       Spoken(name) + ": rmse " + Fixed(angle.rmse / kDegree, 2) + " deg" + ShareWithin(error),
       "error [deg]", CommonRests(reported.estimate));
-  ShownSeries zero{
-      .time = error.time, .value = std::vector<double>(error.time.size(), 0.0), .sd = error.sd};
-  AddWithBand(zero, "", "±3 sd of the estimate", {.colour = SeriesColour(0)}, kBounds, most,
-              &chart);
-  chart.lines.clear();
   AddWithBand({.time = error.time, .value = error.value}, "estimate − reference", "",
               {.colour = SeriesColour(1), .width = 1.2}, 0.0, most, &chart);
+  if (!error.sd.empty()) {
+    AddBound(error, kBounds, "+3 sd", most, &chart);
+    AddBound(error, -kBounds, "−3 sd", most, &chart);
+  }
   return chart;
 }
 

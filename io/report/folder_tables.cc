@@ -2,6 +2,7 @@
 #include <set>
 
 #include "io/report/html.h"
+#include "io/report/series.h"
 #include "io/report/tables.h"
 #include "io/text.h"
 
@@ -57,7 +58,7 @@ std::string FigureTable(const Json& comparison, const ComparedFigure& figure) {
   HtmlTable table(figure.title, header);
   for (const Json& trial : Member(comparison, "trials"))
     for (const std::string& name : names[TextOf(trial)]) {
-      std::vector<std::string> row = {TextOf(trial), name};
+      std::vector<std::string> row = {TextOf(trial), Spoken(name)};
       for (const Json& method : Member(comparison, "methods")) {
         const Json* const pair = pairs[{TextOf(trial), TextOf(method)}];
         row.push_back(pair == nullptr ? "–" : CellText(*pair, figure, name));

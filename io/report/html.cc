@@ -87,7 +87,9 @@ std::string PolicyHash(std::string_view text) {
 }
 
 std::string NumberText(double value, int digits) {
-  return std::isfinite(value) ? Fixed(value, digits) : "–";
+  if (!std::isfinite(value)) return "–";
+  const std::string text = Fixed(value, digits);
+  return text.find_first_of("123456789") == std::string::npos ? Fixed(0.0, digits) : text;
 }
 
 }  // namespace brachium

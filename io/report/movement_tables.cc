@@ -10,6 +10,7 @@ namespace brachium {
 namespace {
 
 constexpr std::size_t kMostEpochs = 200;  // rows of a table
+constexpr std::size_t kFolded = 12;       // of more, the table is folded away
 
 std::string EpochTable(const MovementOutcomes& outcomes, const std::string& of) {
   const double unit = outcomes.is_point ? 1.0 : kDegree;
@@ -31,6 +32,14 @@ std::string EpochTable(const MovementOutcomes& outcomes, const std::string& of) 
                epoch.path_ratio ? Fixed(*epoch.path_ratio, 2) : "–"});
   }
   return table.Html();
+}
+
+std::string Epochs(const MovementOutcomes& outcomes, const std::string& by) {
+  const std::string table = EpochTable(outcomes, "by the " + by);
+  if (table.empty()) return "<p>No movement by the " + by + ".</p>\n";
+  return std::string("<details") + (outcomes.epochs.size() > kFolded ? "" : " open") +
+         "><summary>" + std::to_string(outcomes.epochs.size()) + " movements by the " + by +
+         "</summary>\n" + table + "</details>\n";
 }
 
 std::string Degrees(double angle) { return NumberText(angle / kDegree, 1); }
@@ -71,11 +80,8 @@ std::string MovementTables(const ReportedEstimate& reported) {
       OutcomesOf(estimate.side, estimate.time, estimate.q_WB, estimate.p_W);
   const bool judged = reported.evaluation.has_value();
   std::string html = RangeTable(own, judged ? &reported.evaluation->reference_outcomes : nullptr) +
-                     Compensation(own) + EpochTable(own, "by the estimate");
-  if (judged && !reported.evaluation->reference_outcomes.epochs.empty())
-    html += "<details><summary>Movements by the reference</summary>\n" +
-            EpochTable(reported.evaluation->reference_outcomes, "by the reference") +
-            "</details>\n";
+                     Compensation(own) + Epochs(own, "estimate");
+  if (judged) html += Epochs(reported.evaluation->reference_outcomes, "reference");
   return html +
          "<p class=\"small\">SPARC: spectral arc length, LDLJ: log dimensionless jerk; nearer to "
          "zero is smoother. Path ratio: the way over the straight line.</p>\n";

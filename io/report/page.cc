@@ -11,26 +11,39 @@
 #include "io/report/html.h"
 #include "io/report/replay_json.h"
 #include "io/report/replay_section.h"
+#include "io/report/series.h"
 #include "io/report/tables.h"
 
 namespace brachium {
 namespace {
 
-// Of all estimates together, and at least of each.
+// How much of each estimate is shown. Series and frames of all together take about so many bytes:
+constexpr double kBytesOfSeries = 1.3e6, kBytesOfFrames = 1.6e6;
+constexpr double kMostSamples = 5000.0, kFewest = 600.0;
+
 struct Detail {
   std::size_t samples, frames;
-
-  explicit Detail(std::size_t estimates)
-      : samples(std::max<std::size_t>(5000 / std::max<std::size_t>(estimates, 1), 600)),
-        frames(std::max<std::size_t>(12000 / std::max<std::size_t>(estimates, 1), 600)) {}
 };
+
+Detail DetailOf(const std::vector<ReportedEstimate>& estimates) {
+  double series = 0.0, frame = 0.0;  // bytes a sample, bytes a frame
+  for (const ReportedEstimate& reported : estimates) {
+    const auto angles = static_cast<double>(ShownAngles(reported.estimate).size());
+    const auto joints = static_cast<double>(reported.estimate.p_W.size());
+    const auto segments = static_cast<double>(reported.estimate.q_WB.size());
+    series += 45.0 * angles + 60.0;
+    frame += 8.0 * angles + 16.0 * joints + 22.0 * segments + 19.0;
+  }
+  return {static_cast<std::size_t>(std::clamp(kBytesOfSeries / series, kFewest, kMostSamples)),
+          static_cast<std::size_t>(std::max(kBytesOfFrames / frame, kFewest))};
+}
 
 constexpr std::size_t kMostPictures = 2'000'000;  // bytes of pictures out of folders
 
 class Page {
  public:
   Page(const Report& report, const PageFiles& files)
-      : report_(report), files_(files), detail_(report.estimates.size()) {}
+      : report_(report), files_(files), detail_(DetailOf(report.estimates)) {}
 
   ReportPage Make() {
     const std::string body = Body();
@@ -48,8 +61,8 @@ class Page {
   }
 
   std::string Script() const {
-    return std::string(files_.plot_script) + "\n" + std::string(files_.charts) +
-           std::string(files_.replay);
+    return std::string(files_.plot_script) + "\n" + std::string(files_.packed) +
+           std::string(files_.charts) + std::string(files_.replay);
   }
   std::string Style() const {
     return std::string(files_.plot_style) + "\n" + std::string(files_.style);

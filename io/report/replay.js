@@ -14,27 +14,15 @@
   const trailSeconds = 2;
 
   let replay = null, frame = 0, playing = false, started = 0, startTime = 0;
-  const view = {yaw: -2.2, pitch: 0.25, zoom: 1};
-
-  function bytes(text) {
-    const raw = atob(text), array = new Uint8Array(raw.length);
-    for (let i = 0; i < raw.length; i++) array[i] = raw.charCodeAt(i);
-    return array.buffer;
-  }
-
-  function unpacked(packed) {
-    const integers = new Int16Array(bytes(packed.data)), numbers = new Float64Array(integers.length);
-    for (let i = 0; i < integers.length; i++)
-      numbers[i] = integers[i] === -32768 ? NaN : integers[i] * packed.unit;
-    return numbers;
-  }
+  let fraction = 0;  // of the way to the next frame, for the picture alone
+  const view = {yaw: -2.2, pitch: 0.35, zoom: 1};
 
   function load(index) {
     const text = JSON.parse(document.getElementById("replay-" + index).textContent);
     const posture = (packed) => packed && {p: unpacked(packed.p), q: unpacked(packed.q)};
     replay = {
       index, name: text.name, joints: text.joints, segments: text.segments, bones: text.bones,
-      time: new Float64Array(bytes(text.time)), notes: text.notes,
+      time: new Float64Array(packedBytes(text.time)), notes: text.notes,
       estimate: posture(text.estimate), reference: posture(text.reference),
       deviation: text.deviation && {joint: text.deviation.joint, sd: unpacked(text.deviation.sd)},
       angles: text.angles.map((angle) => ({
@@ -42,7 +30,8 @@
         reference: angle.reference && unpacked(angle.reference),
       })),
     };
-    frame = 0;
+    frame = fraction = 0;
+    replay.step = replay.time.length > 1 ? (replay.time.at(-1) - replay.time[0]) / (replay.time.length - 1) : 1;
     slider.max = String(replay.time.length - 1);
     fit();
     part("with-reference").disabled = !replay.reference;
@@ -52,10 +41,15 @@
     show();
   }
 
-  const joint = (posture, at, j) => {
-    const i = 3 * (at * replay.joints.length + j);
-    return [posture.p[i], posture.p[i + 1], posture.p[i + 2]];
-  };
+  // Numbers of a frame; of the one that is shown, on the way to the next.
+  function moment(numbers, at, perFrame, first, count) {
+    const begin = at * perFrame + first, values = Array.from(numbers.subarray(begin, begin + count));
+    if (at !== frame || fraction === 0) return values;
+    const next = numbers.subarray(begin + perFrame, begin + perFrame + count);
+    const sign = count === 4 && values.reduce((dot, value, k) => dot + value * next[k], 0) < 0 ? -1 : 1;
+    return values.map((value, k) => value + fraction * (sign * next[k] - value));
+  }
+  const joint = (posture, at, j) => moment(posture.p, at, 3 * replay.joints.length, 3 * j, 3);
   const known = (point) => point.every(Number.isFinite);
 
   // What the scene is centred on: the shoulder, or the middle of a lone sensor's way.
@@ -86,8 +80,8 @@
 
   // --- geometry -------------------------------------------------------------------------------
   function rotated(posture, at, segment, v) {
-    const i = 4 * (at * replay.segments.length + segment);
-    const [w, x, y, z] = posture.q.subarray(i, i + 4);
+    const q = moment(posture.q, at, 4 * replay.segments.length, 4 * segment, 4), norm = Math.hypot(...q);
+    const [w, x, y, z] = q.map((component) => component / norm);
     const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
     return [
       v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2],
@@ -320,6 +314,7 @@
 
   function seek(to) {
     frame = Math.min(Math.max(to, 0), replay.time.length - 1);
+    fraction = 0;
     restart();
     show();
   }
@@ -332,6 +327,7 @@
   function play(on) {
     if (on && frame === replay.time.length - 1) frame = 0;
     playing = on;
+    fraction = 0;
     part("play").textContent = on ? "Pause" : "Play";
     restart();
     if (on) requestAnimationFrame(step);
@@ -340,10 +336,14 @@
   function step(now) {
     if (!playing) return;
     const speed = Number(part("speed").value);
-    const next = frameAt(startTime + speed * Math.max(now - started, 0) / 1000);
+    const time = startTime + speed * Math.max(now - started, 0) / 1000, next = frameAt(time);
+    const length = replay.time[next + 1] - replay.time[next];
+    fraction = length < 1.8 * replay.step ? Math.max(time - replay.time[next], 0) / length : 0;
     if (next !== frame) {
       frame = next;
       show();
+    } else {
+      draw();
     }
     if (frame === replay.time.length - 1) play(false);
     else requestAnimationFrame(step);

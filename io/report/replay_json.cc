@@ -1,14 +1,11 @@
 #include "io/report/replay_json.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "io/report/html.h"
+#include "io/report/packed.h"
 #include "io/report/posture.h"
 #include "io/report/series.h"
 #include "problems/arm_model.h"
@@ -19,36 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Samples = std::vector<std::size_t>;
-
-constexpr double kGreatest = 32767.0;
-
-template <typename Integer>
-void AppendBytes(Integer value, std::string* bytes) {
-  for (std::size_t i = 0; i < sizeof value; ++i)
-    bytes->push_back(static_cast<char>(value >> (8 * i) & 0xff));
-}
-
-// In units no finer than `finest`, and as coarse as the greatest of them asks for.
-Json Packed(const std::vector<double>& values, double finest) {
-  double greatest = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
-  const double unit = std::max(finest, greatest / kGreatest);
-  std::string bytes;
-  for (const double value : values)
-    AppendBytes(static_cast<std::uint16_t>(
-                    std::isfinite(value) ? static_cast<std::int16_t>(std::lround(value / unit))
-                                         : std::numeric_limits<std::int16_t>::min()),
-                &bytes);
-  return {{"unit", unit}, {"data", Base64(bytes)}};
-}
-
-std::string PackedTimes(const std::vector<double>& time, const Samples& samples) {
-  std::string bytes;
-  for (const std::size_t sample : samples)
-    AppendBytes(std::bit_cast<std::uint64_t>(time[sample]), &bytes);
-  return Base64(bytes);
-}
 
 std::vector<std::string> JointsOf(const Drawn& drawn) {
   std::vector<std::string> joints;
@@ -96,7 +63,7 @@ Json PostureJson(const Posture& posture, const Drawn& drawn, std::size_t frames)
       q_WB.insert(q_WB.end(), {q.w(), q.x(), q.y(), q.z()});
     }
   }
-  return {{"p", Packed(p_W, 1e-4)}, {"q", Packed(q_WB, 1.0 / kGreatest)}};
+  return {{"p", Packed(p_W, 1e-4)}, {"q", Packed(q_WB, 1.0 / 32767.0)}};
 }
 
 Json DeviationJson(const Estimate& estimate, const Drawn& drawn, const Samples& samples) {
@@ -160,7 +127,7 @@ Json ReplayJson(const ReportedEstimate& reported, std::size_t most) {
   std::vector<std::string> segments;
   for (const Segment segment : SegmentsOf(drawn)) segments.emplace_back(Name(segment));
   Json json = {{"name", reported.name},
-               {"time", PackedTimes(reported.estimate.time, samples)},
+               {"time", PackedExactly(Picked(reported.estimate.time, samples))},
                {"joints", JointsOf(drawn)},
                {"segments", segments},
                {"bones", BonesJson(drawn)},

@@ -118,7 +118,7 @@ std::string FactsHtml(const ReportedEstimate& reported) {
   table.Add({"reference", reported.reference_note});
   table.Add({"made by", "brachium " + VersionOf(reported.run)});
   table.Add({"inputs (SHA-256)", InputsText(reported.run)});
-  return Verdict(diagnostics) + table.Html();
+  return Verdict(diagnostics) + "<div class=\"facts\">" + table.Html() + "</div>\n";
 }
 
 std::string RemarksHtml(const ReportedEstimate& reported) {
