@@ -227,10 +227,8 @@ Frame2d FrameOf(const Chart& chart) {
           .y_range = RangeOf(chart.y, ValuesAlongY(chart))};
 }
 
-}  // namespace
-
-std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) {
-  Svg svg(size.width, size.height * static_cast<double>(charts.size()));
+// As wide as each other, at the top of a picture of their own.
+std::vector<Frame2d> AlignedFrames(const std::vector<Chart>& charts, const ChartSize& size) {
   std::vector<Frame2d> frames;
   double left = 0.0;
   for (const Chart& chart : charts) {
@@ -239,19 +237,42 @@ std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) 
   }
   const double right = kRightMargin + LegendWidth(charts), narrow = size.width - left - right;
   for (const Chart& chart : charts) left = std::max(left, LeftOfNames(chart.x, narrow));
-  const double width = size.width - left - right;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    Frame2d& frame = frames[i];
-    const double top = size.height * static_cast<double>(i);
-    frame.corner = {left, top + kTopMargin};
-    frame.width = width;
-    frame.height = size.height - kTopMargin - BottomMargin(charts[i].x, width) - kGapBelow;
-    svg.Text({left, top + 19.0}, charts[i].title, {.size = kTitleSize, .bold = true});
-    DrawFrame(frame, &svg);
-    DrawContents(charts[i], frame, &svg);
-    DrawLegend(charts[i], {left + width + 14.0, frame.corner.y}, &svg);
+    frames[i].corner = {left, kTopMargin};
+    frames[i].width = size.width - left - right;
+    frames[i].height =
+        size.height - kTopMargin - BottomMargin(charts[i].x, frames[i].width) - kGapBelow;
   }
+  return frames;
+}
+
+void Draw(const Chart& chart, double top, Frame2d frame, Svg* svg) {
+  frame.corner.y += top;
+  svg->Text({frame.corner.x, top + 19.0}, chart.title, {.size = kTitleSize, .bold = true});
+  DrawFrame(frame, svg);
+  DrawContents(chart, frame, svg);
+  DrawLegend(chart, {frame.corner.x + frame.width + 14.0, frame.corner.y}, svg);
+}
+
+}  // namespace
+
+std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) {
+  Svg svg(size.width, size.height * static_cast<double>(charts.size()));
+  const std::vector<Frame2d> frames = AlignedFrames(charts, size);
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    Draw(charts[i], size.height * static_cast<double>(i), frames[i], &svg);
   return svg.Document();
+}
+
+std::vector<std::string> DrawEach(const std::vector<Chart>& charts, const ChartSize& size) {
+  std::vector<std::string> documents;
+  const std::vector<Frame2d> frames = AlignedFrames(charts, size);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    Svg svg(size.width, size.height);
+    Draw(charts[i], 0.0, frames[i], &svg);
+    documents.push_back(svg.Document());
+  }
+  return documents;
 }
 
 std::string DrawColumns(const std::vector<std::vector<Chart>>& columns, const ChartSize& size) {

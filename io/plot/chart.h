@@ -79,6 +79,9 @@ struct ChartSize {
 // Charts below one another, as wide as each other, as one SVG document.
 std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size = {});
 
+// The same charts as a document each.
+std::vector<std::string> DrawEach(const std::vector<Chart>& charts, const ChartSize& size = {});
+
 // Several such columns beside one another, each as wide as `size` says.
 std::string DrawColumns(const std::vector<std::vector<Chart>>& columns, const ChartSize& size);
 

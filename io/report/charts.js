@@ -1,7 +1,7 @@
 // Live charts in place of the pictures: pointing reads values, dragging or +/- zooms, a click moves
 // the replay there. The data stand beside each figure as JSON (charts_json.h).
 (() => {
-  const height = 210;
+  const height = 210, font = "12px sans-serif";
   const groups = new Map();  // charts that share their time axis, by estimate
 
   const unpackedTimes = (packed) =>
@@ -49,7 +49,7 @@
 
   function verticalRange(chart) {
     return (plot) => {
-      let [low, high] = extent(chart, plot.scales.x.min, plot.scales.x.max);
+      const [low, high] = extent(chart, plot.scales.x.min ?? -Infinity, plot.scales.x.max ?? Infinity);
       const room = Math.max(0.06 * (high - low), 1e-6 * Math.max(Math.abs(low), Math.abs(high)), 1e-9);
       return [low - room, high + room];
     };
@@ -131,8 +131,8 @@
         y: logarithmic ? {distr: 3} : {range: verticalRange(chart)},
       },
       axes: [
-        {label: chart.x.label, labelSize: 22, size: 34},
-        {label: chart.y.label, labelSize: 22, size: 56},
+        {label: chart.x.label, labelSize: 22, size: 34, labelFont: font, font},
+        {label: chart.y.label, labelSize: 22, size: 56, labelFont: font, font},
       ],
       series: [{label: chart.x.label, value: number}].concat(chart.lines.map((line) => ({
         label: line.name, stroke: line.colour, width: line.width,

@@ -112,7 +112,8 @@ ReportFigure ErrorsFigure(const ReportedEstimate& reported, std::size_t most) {
     figure.charts.push_back(DistanceChart(Spoken(name), "distance [mm]", evaluation.time,
                                           position.distance, 1e-3, most, rests));
   if (figure.charts.empty()) return {};
-  figure.svg = DrawCharts(figure.charts, {.width = 860.0, .height = 210.0});
+  figure.size = {.width = 860.0, .height = 230.0};
+  figure.svg = DrawCharts(figure.charts, figure.size);
   return figure;
 }
 

@@ -11,13 +11,13 @@
 namespace brachium {
 namespace {
 
-constexpr ChartSize kOverTime{.width = 860.0, .height = 230.0};
+constexpr ChartSize kOverTime{.width = 860.0, .height = 250.0};
 
 Stroke EstimateStroke() { return {.colour = SeriesColour(0), .width = 1.5}; }
 Stroke ReferenceStroke() { return {.colour = SeriesColour(1), .width = 1.2, .dashes = "5 3"}; }
 
 ReportFigure OverTime(std::string name, std::string caption, std::vector<Chart> charts) {
-  ReportFigure figure{.name = std::move(name), .caption = std::move(caption)};
+  ReportFigure figure{.name = std::move(name), .caption = std::move(caption), .size = kOverTime};
   if (!charts.empty()) figure.svg = DrawCharts(charts, kOverTime);
   figure.charts = std::move(charts);
   return figure;

@@ -13,7 +13,8 @@ struct ReportFigure {
   std::string name{};           // for a file: "joint_angles"
   std::string caption{};        // what it shows and how to read it
   std::vector<Chart> charts{};  // over time; none: a picture only
-  std::string svg{};
+  std::string svg{};            // of all of it
+  ChartSize size{};             // of each chart in it
 };
 
 // Angles in deg over time with 95 % bands, rests of all sensors shaded and the reference's angles

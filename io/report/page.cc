@@ -61,8 +61,10 @@ class Page {
   }
 
   std::string Script() const {
-    return std::string(files_.plot_script) + "\n" + std::string(files_.packed) +
-           std::string(files_.charts) + std::string(files_.replay);
+    std::string script = std::string(files_.plot_script) + "\n";
+    for (const std::string_view part : {files_.packed, files_.charts, files_.scene, files_.replay})
+      script += part;
+    return script;
   }
   std::string Style() const {
     return std::string(files_.plot_style) + "\n" + std::string(files_.style);
@@ -113,6 +115,14 @@ class Page {
     return html + "</ul></nav>\n";
   }
 
+  // Chart by chart, so that a page of paper ends between two.
+  static std::string Pictures(const ReportFigure& figure) {
+    if (figure.charts.empty()) return figure.svg;
+    std::string pictures;
+    for (const std::string& svg : DrawEach(figure.charts, figure.size)) pictures += svg;
+    return pictures;
+  }
+
   // A figure below its heading; nothing when there is nothing in it.
   std::string FigureHtml(const std::string& heading, const ReportFigure& figure,
                          const std::string& prefix, const std::string& estimate) {
@@ -126,7 +136,7 @@ class Page {
     if (live) html += " data-charts=\"charts-" + number + "\"";
     if (!estimate.empty()) html += " data-estimate=\"" + estimate + "\"";
     html += ">\n<div class=\"live\"></div><div class=\"picture\" role=\"img\" aria-label=\"" +
-            EscapedHtml(figure.caption) + "\">" + figure.svg + "</div>\n<figcaption>" +
+            EscapedHtml(figure.caption) + "\">" + Pictures(figure) + "</div>\n<figcaption>" +
             EscapedHtml(figure.caption) + "</figcaption></figure>\n";
     if (live) html += ScriptData("charts-" + number, ChartsJson(figure.charts, detail_.samples));
     return html;

@@ -7,7 +7,7 @@ namespace brachium {
 
 // Of uPlot nothing where the build had none: charts are then pictures.
 struct PageFiles {
-  std::string_view style{}, packed{}, charts{}, replay{};
+  std::string_view style{}, packed{}, charts{}, scene{}, replay{};
   std::string_view plot_style{}, plot_script{}, plot_licence{};
 };
 

@@ -34,6 +34,12 @@ bool IsOfTheArm(Segment segment) {
   return segment == Segment::kUpperArm || segment == Segment::kForearm || segment == Segment::kHand;
 }
 
+// Whether the only point that is told is the sensor of this segment: "hand" is a joint, too.
+template <typename Points>
+bool IsLone(Segment segment, const Points& points) {
+  return points.size() == 1 && points.contains(std::string(Name(segment)));
+}
+
 double LengthOf(const Posture& posture, const Bone& bone) {
   const auto &from = posture.p_W.at(bone.from), &to = posture.p_W.at(bone.to);
   for (std::size_t i = 0; i < from.size(); ++i)
@@ -53,7 +59,8 @@ std::vector<Vector3d> Hanging(const std::vector<Vector3d>& from,
 void AddSegment(Segment segment, std::size_t frames, Drawn* drawn) {
   const std::string from(ProximalJointName(segment)), to(DistalJointName(segment));
   auto& p_W = drawn->posture.p_W;
-  if (const std::string own(Name(segment)); p_W.contains(own)) {
+  if (IsLone(segment, p_W)) {
+    const std::string own(Name(segment));
     drawn->bones.push_back({own, own, segment});
     return;
   }
@@ -124,7 +131,7 @@ Drawn DrawnEstimate(const Estimate& estimate, const std::vector<std::size_t>& sa
   for (const auto& [segment, q_WB] : estimate.q_WB)
     drawn.posture.q_WB[segment] = Picked(q_WB, samples);
   for (const auto& [segment, q_WB] : estimate.q_WB)
-    if (IsOfTheArm(segment) || estimate.p_W.contains(std::string(Name(segment))))
+    if (IsOfTheArm(segment) || IsLone(segment, estimate.p_W))
       AddSegment(segment, samples.size(), &drawn);
   if (drawn.posture.q_WB.contains(Segment::kThorax) && drawn.posture.p_W.contains("shoulder")) {
     AddTrunk(estimate.side, &drawn.posture);

@@ -27,7 +27,7 @@ else()
   message(STATUS "Reports: pictures only, uPlot is not there")
 endif()
 
-set(page_sources ${page}/page.css ${page}/packed.js ${page}/charts.js ${page}/replay.js ${page}/embed.cmake)
+set(page_sources ${page}/page.css ${page}/packed.js ${page}/charts.js ${page}/scene.js ${page}/replay.js ${page}/embed.cmake)
 set(embedded ${CMAKE_BINARY_DIR}/generated/page_files$<$<BOOL:${uplot}>:_uplot>.cc)
 add_custom_command(OUTPUT ${embedded}
   COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded} -DPAGE=${page} -DUPLOT=${uplot} -P ${page}/embed.cmake

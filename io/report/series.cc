@@ -29,6 +29,20 @@ std::vector<double> InclinationOf(const std::vector<Eigen::Quaterniond>& q_WB) {
   return inclination;
 }
 
+// Of that angle [deg], from the standard deviations about the segment's axes as if independent; NaN
+// where the axis is upright and tilts to no side.
+std::vector<double> InclinationDeviation(const std::vector<Eigen::Quaterniond>& q_WB,
+                                         const std::vector<Eigen::Vector3d>& sd_B) {
+  std::vector<double> deviation;
+  for (std::size_t i = 0; i < sd_B.size(); ++i) {
+    const Eigen::Vector3d hinge_W =
+        (q_WB[i] * Eigen::Vector3d::UnitY()).cross(Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d hinge_B = q_WB[i].conjugate() * hinge_W / hinge_W.norm();
+    deviation.push_back(hinge_B.cwiseProduct(sd_B[i]).norm() / kDegree);
+  }
+  return deviation;
+}
+
 std::vector<Span> RestsOf(const Estimate& estimate, Segment segment) {
   std::vector<Span> rests;
   for (const Rest& rest : estimate.diagnostics.rests)
@@ -58,9 +72,12 @@ std::vector<std::pair<std::string, ShownSeries>> ShownAngles(const Estimate& est
     shown.emplace_back(angle.name, std::move(series));
   }
   if (!shown.empty()) return shown;
-  for (const auto& [segment, q_WB] : estimate.q_WB)
-    shown.emplace_back(std::string(Name(segment)) + "_inclination",
-                       ShownSeries{.time = estimate.time, .value = InclinationOf(q_WB)});
+  for (const auto& [segment, q_WB] : estimate.q_WB) {
+    ShownSeries series{.time = estimate.time, .value = InclinationOf(q_WB)};
+    if (const auto sd = estimate.sd_B.find(segment); sd != estimate.sd_B.end())
+      series.sd = InclinationDeviation(q_WB, sd->second);
+    shown.emplace_back(std::string(Name(segment)) + "_inclination", std::move(series));
+  }
   return shown;
 }
 
