@@ -99,9 +99,9 @@ ReportFigure ErrorsFigure(const ReportedEstimate& reported, std::size_t most) {
   ReportFigure figure{
       .name = "errors",
       .caption =
-          "Estimate minus reference at the reference's instants. The band is ±3 standard "
+          "Estimate minus reference at the reference's instants. Black are ±3 standard "
           "deviations as the estimate itself tells them: about 99.7 % of the error should lie "
-          "within. Orientations between segments and distances of points are magnitudes; "
+          "between. Orientations between segments and distances of points are magnitudes; "
           "points after one constant heading and shift."};
   for (const auto& [name, angle] : evaluation.joint_angles)
     if (angle.used > 0) figure.charts.push_back(AngleErrorChart(reported, name, angle, most));

@@ -10,7 +10,7 @@ function armScene(canvas) {
   const trailSeconds = 2;
 
   let replay = null, frame = 0, fraction = 0;
-  const view = {yaw: -2.2, pitch: 0.35, zoom: 1};
+  const view = {yaw: 0, pitch: 0.35, zoom: 1};
 
   // Numbers of a frame; of the one that is shown, on the way to the next.
   function moment(numbers, at, perFrame, first, count) {
@@ -23,7 +23,21 @@ function armScene(canvas) {
   const joint = (posture, at, j) => moment(posture.p, at, 3 * replay.joints.length, 3 * j, 3);
   const known = (point) => point.every(Number.isFinite);
 
-  // What the scene is centred on: the shoulder, or the middle of a lone sensor's way.
+  // Turns the view so that the way of the last joint goes from left to right, a little aslant.
+  function lookAcross(root) {
+    const last = replay.deviation ? replay.deviation.joint : replay.joints.length - 1;
+    const step = Math.max(1, Math.floor(replay.time.length / 2000)), ways = [];
+    for (let at = 0; at < replay.time.length; at += step) {
+      const p = joint(replay.estimate, at, last), from = root < 0 ? [0, 0, 0] : joint(replay.estimate, at, root);
+      if (known(p) && known(from)) ways.push([p[0] - from[0], p[1] - from[1]]);
+    }
+    const mean = [0, 1].map((axis) => ways.reduce((total, way) => total + way[axis], 0) / ways.length);
+    const spread = (a, b) => ways.reduce((total, way) => total + (way[a] - mean[a]) * (way[b] - mean[b]), 0);
+    view.yaw = Math.atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1)) / 2 + 0.35;
+    if (!Number.isFinite(view.yaw)) view.yaw = 0.35;
+  }
+
+  // What the scene is centred on: below the shoulder, or the middle of a lone sensor's way.
   function fit() {
     const root = replay.joints.indexOf("shoulder");
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -41,6 +55,7 @@ function armScene(canvas) {
         if (centre && known(centre)) reach = Math.max(reach, Math.hypot(p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]));
       }
     }
+    lookAcross(root);
     replay.root = root;
     replay.centre = low.map((value, axis) => Number.isFinite(value) ? (value + high[axis]) / 2 : 0);
     if (root < 0 && low[0] <= high[0])
@@ -66,7 +81,7 @@ function armScene(canvas) {
     const cy = Math.cos(view.yaw), sy = Math.sin(view.yaw);
     const cp = Math.cos(view.pitch), sp = Math.sin(view.pitch);
     const right = [cy, sy, 0], toEye = [cp * sy, -cp * cy, sp], up = [-sp * sy, sp * cy, cp];
-    const scale = view.zoom * 0.46 * Math.min(width, heightPx) / replay.reach;
+    const scale = view.zoom * 0.6 * Math.min(width, heightPx) / replay.reach;
     const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     return {
       scale, right, up,
@@ -235,6 +250,7 @@ function armScene(canvas) {
     context.fillRect(0, 0, width, heightPx);
     let centre = replay.root < 0 ? replay.centre : joint(replay.estimate, frame, replay.root);
     if (!known(centre)) centre = replay.centre;
+    else if (replay.root >= 0) centre[2] -= 0.3 * replay.reach;
     const eye = camera(width, heightPx, centre);
     drawFloor(context, eye, centre);
     drawTriad(context, eye, heightPx);
