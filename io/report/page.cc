@@ -151,18 +151,20 @@ class Page {
     const auto part = [](const std::string& heading, const std::string& html) {
       return html.empty() ? "" : "<h3>" + heading + "</h3>\n" + html;
     };
-    return "<section id=\"estimate-" + number + "\">\n<h2>" + EscapedHtml(reported.name) +
-           "</h2>\n" + FactsHtml(reported) + RemarksHtml(reported) +
-           figure("Angles", AnglesFigure(reported, detail_.samples)) +
-           part("Errors against the reference", ErrorTables(reported)) +
-           figure("", ErrorsFigure(reported, detail_.samples)) +
-           figure("Agreement with the reference", AgreementFigure(reported)) +
-           part("Movements", MovementTables(reported)) +
-           figure("Place", PointFigure(reported, detail_.samples)) +
-           figure("Observability: what held the headings", ObservabilityFigure(reported)) +
-           part("Constants", ConstantTable(reported)) +
-           figure("Residuals", ResidualsFigure(reported)) +
-           Folded("Residuals as numbers", ResidualTable(reported)) + "</section>\n";
+    std::string html = "<section id=\"estimate-" + number + "\">\n<h2>" +
+                       EscapedHtml(reported.name) + "</h2>\n" + FactsHtml(reported) +
+                       RemarksHtml(reported);
+    html += figure("Angles", AnglesFigure(reported, detail_.samples));
+    html += part("Errors against the reference", ErrorTables(reported));
+    html += figure("", ErrorsFigure(reported, detail_.samples));
+    html += figure("Agreement with the reference", AgreementFigure(reported));
+    html += part("Movements", MovementTables(reported));
+    html += figure("Place", PointFigure(reported, detail_.samples));
+    html += figure("Observability: what held the headings", ObservabilityFigure(reported));
+    html += part("Constants", ConstantTable(reported));
+    html += figure("Residuals", ResidualsFigure(reported));
+    html += Folded("Residuals as numbers", ResidualTable(reported));
+    return html + "</section>\n";
   }
 
   static std::string Folded(const std::string& summary, const std::string& html) {
