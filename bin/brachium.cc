@@ -37,6 +37,7 @@ constexpr std::array kCommands = {
     Command{"export", RunExport, "writes an estimate in the files of OpenSim"},
     Command{"import", RunImport, "makes a trial folder from the exports of makers' programs"},
     Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},
+    Command{"report", RunReport, "shows results as a page: charts, tables, the arm in space"},
     Command{"simulate", RunSimulate, "writes a trial folder whose truth is known"},
     Command{"sweep plan", RunSweepPlan, "lists the tasks of a parameter sweep over many trials"},
     Command{"sweep run", RunSweepRun, "runs tasks of a sweep, all or a part"},

@@ -19,6 +19,7 @@ int RunCompare(CommandLine& line);
 int RunExport(CommandLine& line);
 int RunImport(CommandLine& line);
 int RunInspect(CommandLine& line);
+int RunReport(CommandLine& line);
 int RunSimulate(CommandLine& line);
 int RunSweepPlan(CommandLine& line);
 int RunSweepRun(CommandLine& line);

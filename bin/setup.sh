@@ -5,7 +5,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(g++ cmake ninja-build libboost-dev libceres-dev libeigen3-dev libgflags-dev
   libgoogle-glog-dev libpugixml-dev nlohmann-json3-dev libssl-dev)
 test_packages=("${build_packages[@]}" libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
-  clang-format clang-tidy munge python3 python3-jsonschema slurm-client slurmctld slurmd)
+  chromium clang-format clang-tidy munge python3 python3-jsonschema slurm-client slurmctld slurmd)
+
+# Wherever they come from: live charts of reports are built with npm, and tested with node.
+command -v node >/dev/null || test_packages+=(nodejs)
+command -v npm >/dev/null || test_packages+=(npm)
 
 # quietly MESSAGE COMMAND...: says the message; shows the command's output only if it fails.
 quietly() {

@@ -1,6 +1,9 @@
 #include "io/estimate_folder.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "io/arm_json.h"
 #include "io/estimate_csv.h"
@@ -9,6 +12,7 @@
 #include "io/input_error.h"
 #include "io/json_input.h"
 #include "io/summary.h"
+#include "io/summary_read.h"
 
 namespace brachium {
 namespace {
@@ -21,6 +25,28 @@ std::string RunFlags(const RunInfo& run) {
   std::string text;
   for (const auto& [name, value] : run.flags) text += "--" + name + "=" + value + "\n";
   return text;
+}
+
+std::vector<NameValue> FlagsFrom(std::string_view text) {
+  std::vector<NameValue> flags;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t equals = line.find('=');
+    if (line.starts_with("--") && equals != line.npos)
+      flags.emplace_back(line.substr(2, equals - 2), line.substr(equals + 1));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return flags;
+}
+
+JsonNode ReadSummary(const std::string& folder) {
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(folder, 0, "is not a folder; expected an estimate folder");
+  const std::string file = (std::filesystem::path(folder) / "summary.json").string();
+  JsonNode summary = JsonNode::Parse(FileBytes(file).text(), file);
+  if (summary.At("brachium_summary").Number() != 1)
+    summary.At("brachium_summary").Fail("is not 1; expected version 1");
+  return summary;
 }
 
 }  // namespace
@@ -52,24 +78,19 @@ bool HoldsEstimate(const std::string& folder, const std::string& method, const R
 }
 
 Estimate ReadEstimate(const std::string& folder) {
-  if (!std::filesystem::is_directory(folder))
-    throw InputError(folder, 0, "is not a folder; expected an estimate folder");
-  const std::string summary = (std::filesystem::path(folder) / "summary.json").string();
-  const JsonNode root = JsonNode::Parse(FileBytes(summary).text(), summary);
-  if (root.At("brachium_summary").Number() != 1)
-    root.At("brachium_summary").Fail("is not 1; expected version 1");
+  const JsonNode summary = ReadSummary(folder);
   Estimate estimate = ReadEstimateCsv((std::filesystem::path(folder) / "estimate.csv").string());
-  estimate.method = root.At("method").Text();
-  estimate.side = ParseSide(root.At("side"));
-  const JsonNode convergence = root.At("convergence");
-  estimate.diagnostics.converged = convergence.At("converged").Truth();
-  estimate.diagnostics.singular = convergence.At("singular").Truth();
-  estimate.diagnostics.termination = convergence.At("termination").Text();
-  for (const JsonNode& epoch : root.At("epochs").Elements())
-    estimate.diagnostics.epochs.push_back({ParseSegment(epoch.At("segment")),
-                                           epoch.At("start_s").Number(),
-                                           epoch.At("end_s").Number()});
+  estimate.method = summary.At("method").Text();
+  estimate.side = ParseSide(summary.At("side"));
+  estimate.diagnostics = DiagnosticsFrom(summary);
   return estimate;
+}
+
+RunInfo ReadRun(const std::string& folder) {
+  RunInfo run = RunFrom(ReadSummary(folder));
+  const std::string file = (std::filesystem::path(folder) / "run.flags").string();
+  if (std::filesystem::is_regular_file(file)) run.flags = FlagsFrom(FileBytes(file).text());
+  return run;
 }
 
 }  // namespace brachium

@@ -21,8 +21,11 @@ void WriteEstimate(const std::string& folder, const Estimate& estimate, const Ru
 // versions from the same inputs.
 bool HoldsEstimate(const std::string& folder, const std::string& method, const RunInfo& run);
 
-// The motion, the method, the side, and of the diagnostics whether it converged, is singular, why it
-// ended, and the epochs. Throws InputError.
+// The motion, and of the finding all that summary.json tells. Throws InputError.
 Estimate ReadEstimate(const std::string& folder);
+
+// What an estimate folder says of its run: the trial's name, findings, inputs, versions and flags.
+// Throws InputError.
+RunInfo ReadRun(const std::string& folder);
 
 }  // namespace brachium

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "io/plot/chart.h"
 #include "io/plot/palette.h"
 #include "problems/arm_model.h"
 
@@ -42,10 +41,14 @@ Chart ChartOf(const HeadingSupport& support) {
 
 }  // namespace
 
-std::string HeadingsFigure(const std::vector<HeadingSupport>& headings) {
+std::vector<Chart> HeadingsCharts(const std::vector<HeadingSupport>& headings) {
   std::vector<Chart> charts;
   for (const HeadingSupport& support : headings) charts.push_back(ChartOf(support));
-  return DrawCharts(charts);
+  return charts;
+}
+
+std::string HeadingsFigure(const std::vector<HeadingSupport>& headings) {
+  return DrawCharts(HeadingsCharts(headings));
 }
 
 }  // namespace brachium

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "io/plot/chart.h"
 #include "problems/estimate.h"
 
 namespace brachium {
 
 // For each joint a chart over time: the heading's standard deviation, and dashed what each relation
 // alone would hold it to by what happens in a span [deg, logarithmic].
+std::vector<Chart> HeadingsCharts(const std::vector<HeadingSupport>& headings);
 std::string HeadingsFigure(const std::vector<HeadingSupport>& headings);
 
 }  // namespace brachium

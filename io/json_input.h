@@ -29,6 +29,8 @@ class JsonNode {
 
   const std::string& path() const { return path_; }
   bool IsText() const { return value_->is_string(); }
+  bool IsList() const { return value_->is_array(); }
+  bool IsNull() const { return value_->is_null(); }
   bool Has(const std::string& key) const { return Find(key).has_value(); }
 
   // A member of this object; Find() takes null for absent.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "problems/arm_angles.h"
@@ -22,6 +23,8 @@ JointAngleError ErrorOf(const std::vector<double>& estimate, const std::vector<d
   JointAngleError error{StatisticsOf(e - r), Concordance(nearest, reference),
                         LimitsOf(nearest, reference)};
   error.correlation = Correlation(e, r);
+  error.estimate = std::move(nearest);
+  error.reference = reference;
   return error;
 }
 

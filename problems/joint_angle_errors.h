@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "problems/agreement.h"
 #include "problems/alignment.h"
@@ -16,6 +17,8 @@ namespace brachium {
 struct JointAngleError : Statistics {
   std::optional<double> concordance{};
   std::optional<LimitsOfAgreement> limits{};
+  // Over the pairs; the estimate on the turn of the circle that is nearest to the reference.
+  std::vector<double> estimate{}, reference{};
 };
 
 // By the names of JointAngleSeries(). The shortest way round the circle; an instant at which either

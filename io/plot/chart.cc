@@ -11,6 +11,8 @@ namespace {
 constexpr double kTopMargin = 30.0, kRightMargin = 14.0, kGapBelow = 10.0;  // [pixel]
 constexpr double kLegendLine = 18.0, kLegendMark = 22.0;                    // [pixel]
 
+Fill SpanFill() { return {.colour = "#999999", .opacity = 0.25}; }
+
 void Append(const std::vector<double>& values, std::vector<double>* all) {
   all->insert(all->end(), values.begin(), values.end());
 }
@@ -80,6 +82,13 @@ class Runs {
   bool ended_ = false;
 };
 
+void Draw(const Span& span, const Frame2d& frame, Svg* svg) {
+  if (!Shown(frame.x_axis, span.from) || !Shown(frame.x_axis, span.to)) return;
+  const double left = frame.At(span.from, frame.y_range.low).x;
+  const double right = frame.At(span.to, frame.y_range.low).x;
+  svg->Rectangle({left, frame.corner.y}, right - left, frame.height, SpanFill(), {.width = 0.0});
+}
+
 void Draw(const LineSeries& line, const Frame2d& frame, Svg* svg) {
   Runs runs;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -90,6 +99,14 @@ void Draw(const LineSeries& line, const Frame2d& frame, Svg* svg) {
   }
   if (!runs.runs.empty()) runs.End();
   for (const auto& run : runs.runs) svg->Polyline(run, line.stroke);
+}
+
+// Adds a point to an edge; several on one column of pixels become the highest or the lowest of them.
+void AddToEdge(const Pixel& point, bool upper, std::vector<Pixel>* edge) {
+  if (edge->empty() || std::floor(edge->back().x) != std::floor(point.x))
+    edge->push_back(point);
+  else
+    edge->back().y = upper ? std::min(edge->back().y, point.y) : std::max(edge->back().y, point.y);
 }
 
 void Draw(const Band& band, const Frame2d& frame, Svg* svg) {
@@ -103,8 +120,8 @@ void Draw(const Band& band, const Frame2d& frame, Svg* svg) {
   for (std::size_t i = 0; i < band.x.size(); ++i) {
     if (Shown(frame.x_axis, band.x[i]) && Shown(frame.y_axis, band.low[i]) &&
         Shown(frame.y_axis, band.high[i])) {
-      edge.push_back(frame.At(band.x[i], band.high[i]));
-      back.push_back(frame.At(band.x[i], band.low[i]));
+      AddToEdge(frame.At(band.x[i], band.high[i]), true, &edge);
+      AddToEdge(frame.At(band.x[i], band.low[i]), false, &back);
     } else {
       finish();
     }
@@ -166,6 +183,7 @@ std::vector<LegendEntry> LegendOf(const Chart& chart) {
   for (const LineSeries& line : chart.lines) entries.push_back({line.name, line.stroke, {}});
   for (const Band& band : chart.bands) entries.push_back({band.name, none, band.fill});
   for (const Dots& dots : chart.dots) entries.push_back({dots.name, none, dots.fill});
+  if (!chart.spans.empty()) entries.push_back({chart.spans_name, none, SpanFill()});
   std::erase_if(entries, [](const LegendEntry& entry) { return entry.name.empty(); });
   return entries;
 }
@@ -192,6 +210,7 @@ void DrawLegend(const Chart& chart, const Pixel& corner, Svg* svg) {
 
 void DrawContents(const Chart& chart, const Frame2d& frame, Svg* svg) {
   svg->BeginClip(frame.corner, frame.width, frame.height);
+  for (const Span& span : chart.spans) Draw(span, frame, svg);
   for (const Band& band : chart.bands) Draw(band, frame, svg);
   for (const BoxSeries& series : chart.boxes)
     for (const Box& box : series.boxes) Draw(box, series, frame, svg);
@@ -208,29 +227,52 @@ Frame2d FrameOf(const Chart& chart) {
           .y_range = RangeOf(chart.y, ValuesAlongY(chart))};
 }
 
-}  // namespace
-
-std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) {
-  Svg svg(size.width, size.height * static_cast<double>(charts.size()));
+// As wide as each other, at the top of a picture of their own.
+std::vector<Frame2d> AlignedFrames(const std::vector<Chart>& charts, const ChartSize& size) {
   std::vector<Frame2d> frames;
   double left = 0.0;
   for (const Chart& chart : charts) {
     frames.push_back(FrameOf(chart));
     left = std::max(left, LeftMargin(chart.y, frames.back().y_range));
   }
-  const double width = size.width - left - kRightMargin - LegendWidth(charts);
+  const double right = kRightMargin + LegendWidth(charts), narrow = size.width - left - right;
+  for (const Chart& chart : charts) left = std::max(left, LeftOfNames(chart.x, narrow));
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    Frame2d& frame = frames[i];
-    const double top = size.height * static_cast<double>(i);
-    frame.corner = {left, top + kTopMargin};
-    frame.width = width;
-    frame.height = size.height - kTopMargin - BottomMargin(charts[i].x, width) - kGapBelow;
-    svg.Text({left, top + 19.0}, charts[i].title, {.size = kTitleSize, .bold = true});
-    DrawFrame(frame, &svg);
-    DrawContents(charts[i], frame, &svg);
-    DrawLegend(charts[i], {left + width + 14.0, frame.corner.y}, &svg);
+    frames[i].corner = {left, kTopMargin};
+    frames[i].width = size.width - left - right;
+    frames[i].height =
+        size.height - kTopMargin - BottomMargin(charts[i].x, frames[i].width) - kGapBelow;
   }
+  return frames;
+}
+
+void Draw(const Chart& chart, double top, Frame2d frame, Svg* svg) {
+  frame.corner.y += top;
+  svg->Text({frame.corner.x, top + 19.0}, chart.title, {.size = kTitleSize, .bold = true});
+  DrawFrame(frame, svg);
+  DrawContents(chart, frame, svg);
+  DrawLegend(chart, {frame.corner.x + frame.width + 14.0, frame.corner.y}, svg);
+}
+
+}  // namespace
+
+std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) {
+  Svg svg(size.width, size.height * static_cast<double>(charts.size()));
+  const std::vector<Frame2d> frames = AlignedFrames(charts, size);
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    Draw(charts[i], size.height * static_cast<double>(i), frames[i], &svg);
   return svg.Document();
+}
+
+std::vector<std::string> DrawEach(const std::vector<Chart>& charts, const ChartSize& size) {
+  std::vector<std::string> documents;
+  const std::vector<Frame2d> frames = AlignedFrames(charts, size);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    Svg svg(size.width, size.height);
+    Draw(charts[i], 0.0, frames[i], &svg);
+    documents.push_back(svg.Document());
+  }
+  return documents;
 }
 
 std::string DrawColumns(const std::vector<std::vector<Chart>>& columns, const ChartSize& size) {

@@ -17,6 +17,11 @@ struct LineSeries {
   Stroke stroke{.width = 1.5};
 };
 
+// A part of the x axis, shaded from bottom to top.
+struct Span {
+  double from = 0.0, to = 0.0;
+};
+
 // Between two lines.
 struct Band {
   std::string name{};
@@ -57,6 +62,8 @@ struct Rule {
 struct Chart {
   std::string title{};
   Axis x{}, y{};
+  std::string spans_name{};  // what is shaded
+  std::vector<Span> spans{};
   std::vector<Band> bands{};
   std::vector<BoxSeries> boxes{};
   std::vector<LineSeries> lines{};
@@ -71,6 +78,9 @@ struct ChartSize {
 
 // Charts below one another, as wide as each other, as one SVG document.
 std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size = {});
+
+// The same charts as a document each.
+std::vector<std::string> DrawEach(const std::vector<Chart>& charts, const ChartSize& size = {});
 
 // Several such columns beside one another, each as wide as `size` says.
 std::string DrawColumns(const std::vector<std::vector<Chart>>& columns, const ChartSize& size);

@@ -10,7 +10,7 @@ constexpr double kLetter = 6.8;      // mean width of one [pixel]
 constexpr double kTickLength = 4.0;  // [pixel]
 constexpr double kPixelsPerTickX = 80.0, kPixelsPerTickY = 45.0;
 constexpr double kTurn = 30.0;  // of category names too long to stand side by side [deg]
-constexpr double kSine = 0.5;   // of that
+constexpr double kSine = 0.5, kCosine = 0.866;  // of that
 
 const Stroke kGrid{.colour = "#e4e4e4"};
 const Stroke kInk{.colour = "#444444"};
@@ -94,6 +94,17 @@ double LeftMargin(const Axis& axis, const Range& range) {
 double BottomMargin(const Axis& axis, double width) {
   const double names = NamesTurned(axis, width) ? kSine * LongestName(axis) : 0.0;
   return 24.0 + names + (axis.label.empty() ? 0.0 : 20.0);
+}
+
+double LeftOfNames(const Axis& axis, double width) {
+  if (!NamesTurned(axis, width)) return 0.0;
+  const double slot = width / static_cast<double>(axis.categories.size());
+  double reach = 0.0, place = slot / 2.0;
+  for (const std::string& name : axis.categories) {
+    reach = std::max(reach, kCosine * TextWidth(name) - place);
+    place += slot;
+  }
+  return reach;
 }
 
 void DrawFrame(const Frame2d& frame, Svg* svg) {

@@ -31,6 +31,9 @@ double LeftMargin(const Axis& axis, const Range& range);
 // Room for the ticks of the x axis and its label, below a frame of that width [pixel].
 double BottomMargin(const Axis& axis, double width);
 
+// How far names of categories reach out to the left of a frame of that width [pixel].
+double LeftOfNames(const Axis& axis, double width);
+
 // The frame with its grid, ticks and labels.
 void DrawFrame(const Frame2d& frame, Svg* svg);
 

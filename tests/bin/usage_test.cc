@@ -23,7 +23,7 @@ TEST_F(Usage, HelpNamesEveryCommandAndExitsGood) {
 }
 
 TEST_F(Usage, EveryCommandDescribesItselfAndExitsGood) {
-  for (const std::string command : {"reconstruct", "evaluate", "inspect", "simulate"}) {
+  for (const std::string command : {"reconstruct", "evaluate", "inspect", "report", "simulate"}) {
     const Outcome outcome = Run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_THAT(outcome.out, HasSubstr("usage: brachium " + command));

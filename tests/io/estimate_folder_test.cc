@@ -100,6 +100,40 @@ TEST(EstimateFolder, GivesTheSameMotionBack) {
   EXPECT_TRUE(read.p_W.at("elbow")[4].array().isNaN().all());
 }
 
+TEST(EstimateFolder, GivesTheFindingAndTheRunBack) {
+  const TemporaryFolder here;
+  Estimate written = MakeEstimate();
+  written.diagnostics.headings = {{.segment = Segment::kForearm,
+                                   .against = Segment::kUpperArm,
+                                   .time = {2.5, 7.5},
+                                   .sd = {0.1, INFINITY},
+                                   .sd_by = {{"accelerometer", {0.2, 0.3}}}}};
+  written.diagnostics.constants.push_back({"unknown", {kNaN}, {kNaN, 1.0}});
+  WriteEstimate(here.File("e"), written, MakeRun(), false);
+  const Diagnostics read = ReadEstimate(here.File("e")).diagnostics;
+  EXPECT_EQ(read.iterations, 12);
+  EXPECT_TRUE(std::isnan(read.gradient_norm));
+  ASSERT_EQ(read.residuals.size(), 1u);
+  EXPECT_EQ(read.residuals[0].count, 300u);
+  ASSERT_EQ(read.constants.size(), 3u);
+  EXPECT_THAT(read.constants[1].value, ElementsAre(0.01, -0.2, 0.03));
+  EXPECT_TRUE(std::isnan(read.constants[2].value.at(0)));
+  ASSERT_EQ(read.rests.size(), 1u);
+  EXPECT_EQ(read.rests[0].end, 0.3);
+  ASSERT_EQ(read.headings.size(), 1u);
+  EXPECT_NEAR(read.headings[0].sd[0], 0.1, 1e-12);
+  EXPECT_TRUE(std::isinf(read.headings[0].sd[1]));
+  EXPECT_NEAR(read.headings[0].sd_by.at("accelerometer")[1], 0.3, 1e-12);
+  EXPECT_THAT(read.held_by_prior, ElementsAre("the forearm's length"));
+  EXPECT_THAT(read.notes, ElementsAre("all is well"));
+
+  const RunInfo run = ReadRun(here.File("e"));
+  EXPECT_EQ(run.trial, "drinking");
+  EXPECT_EQ(run.flags, MakeRun().flags);
+  EXPECT_EQ(run.findings.repairs, MakeRun().findings.repairs);
+  EXPECT_EQ(run.inputs.at(0).sha256, "abc");
+}
+
 TEST(EstimateFolder, WritesJointAnglesInDegreesAndGapsAsEmptyCells) {
   const TemporaryFolder here;
   WriteEstimate(here.File("e"), MakeEstimate(), MakeRun(), false);

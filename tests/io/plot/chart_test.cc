@@ -76,6 +76,55 @@ TEST(Chart, KeepsTheExtremesOfALongLine) {
   EXPECT_THAT(svg, HasSubstr(",30 "));  // the frame's upper edge
 }
 
+TEST(Chart, KeepsALongBandShort) {
+  Chart chart{.y = {.limits = Range{0.0, 100.0}}};
+  Band band;
+  for (int i = 0; i < 100000; ++i) {
+    band.x.push_back(i);
+    band.low.push_back(40.0);
+    band.high.push_back(i == 54321 ? 100.0 : 60.0);
+  }
+  chart.bands.push_back(band);
+  const std::string svg = DrawCharts({chart});
+  EXPECT_LT(svg.size(), 60000u);
+  EXPECT_THAT(svg, HasSubstr(",30 "));  // the frame's upper edge
+}
+
+TEST(Chart, ShadesSpansAndNamesThemOnce) {
+  Chart chart = Example();
+  chart.spans_name = "at rest";
+  const std::size_t without = Count(DrawCharts({chart}), "fill=\"#999999\"");
+  chart.spans = {{0.5, 1.0}, {2.0, 2.5}};
+  const std::string svg = DrawCharts({chart});
+  EXPECT_EQ(Count(svg, "fill=\"#999999\""), without + 3);  // two, and their mark in the legend
+  EXPECT_EQ(Count(svg, ">at rest<"), 1u);
+}
+
+TEST(Chart, LeavesRoomForLongNamesOfCategories) {
+  Chart chart{.y = {.limits = Range{0.0, 1.0}}};
+  const auto frame_left = [&] {
+    const std::string svg = DrawCharts({chart});
+    const std::string mark = "<svg x=\"";
+    return std::stod(svg.substr(svg.find(mark) + mark.size()));
+  };
+  chart.x.categories = {"a", "b"};
+  const double narrow = frame_left();
+  chart.x.categories.assign(20, "accelerometer/upper_arm");
+  EXPECT_GT(frame_left(), narrow + 50.0);
+}
+
+TEST(Chart, DrawsEachAsInTheStack) {
+  Chart wide = Example();
+  wide.y.label.clear();
+  const auto each = DrawEach({Example(), wide}, {.width = 600, .height = 200});
+  ASSERT_EQ(each.size(), 2u);
+  EXPECT_THAT(each[1], HasSubstr("height=\"200\""));
+  const auto left = [](const std::string& svg) {
+    return svg.substr(svg.find("<text x=\""), 20);  // of the title, at the frame's left
+  };
+  EXPECT_EQ(left(each[0]), left(each[1]));
+}
+
 TEST(Chart, StacksChartsBelowEachOther) {
   EXPECT_THAT(DrawCharts({Example(), Example()}, {.width = 600, .height = 200}),
               HasSubstr("height=\"400\""));
