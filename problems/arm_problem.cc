@@ -185,13 +185,25 @@ bool ArmProblem::HasElbow() const {
          observations_.arm.elbow.adduction_constraint;
 }
 
+// Skin that turns sensors to and fro cannot be told from a mounting.
+bool ArmProblem::ShowsMounting(int sensor) const {
+  const Segment segment = observations_.recordings[U(sensor)].segment;
+  const bool at_elbow = segment == Segment::kUpperArm || segment == Segment::kForearm;
+  return options_.estimate_mountings && at_elbow && HasElbow() && options_.soft_tissue_deg == 0.0;
+}
+
 double ArmProblem::UntestedMountingSigma(int sensor) const {
-  const Recording& recording = observations_.recordings[U(sensor)];
-  if (!recording.mounting || !options_.estimate_mountings) return 0.0;
-  const bool at_elbow =
-      recording.segment == Segment::kUpperArm || recording.segment == Segment::kForearm;
-  const bool told_from_skin = options_.soft_tissue_deg == 0.0;
-  return at_elbow && HasElbow() && told_from_skin ? 0.0 : recording.mounting->q_sigma;
+  const auto& mounting = observations_.recordings[U(sensor)].mounting;
+  const bool held = Describe(Constant(UnknownKind::kMounting, sensor)).held;
+  return mounting && options_.estimate_mountings && held ? mounting->q_sigma : 0.0;
+}
+
+void ArmProblem::HoldMountings(State& state) {
+  for (Unknown& constant : constants_) {
+    if (constant.kind != UnknownKind::kMounting) continue;
+    constant.held = true;
+    std::fill_n(state.Constant(constant.kind, constant.sensor), 3, 0.0);
+  }
 }
 
 State ArmProblem::PriorState() const {

@@ -105,9 +105,12 @@ class ArmProblem {
   // Upper arm, forearm and between them an elbow with two axes.
   bool HasElbow() const;
 
-  // Sd of how a sensor is turned on its segment, where nothing in the trial tells more of it than
-  // what was told, and the turn is therefore no unknown; else 0 [rad].
+  // Sd of how a sensor is turned on its segment, where its turn is no unknown but not known exactly
+  // either: nothing in the trial tells more of it than what was told; else 0 [rad].
   double UntestedMountingSigma(int sensor) const;
+
+  // Takes all mountings as told from here on, their sds remaining. Turns in `state` become zero.
+  void HoldMountings(State& state);
 
   const Preintegrated& Interval(int knot, int sensor) const {
     return intervals_[static_cast<std::size_t>(knot * size_.sensors + sensor)];
@@ -148,6 +151,7 @@ class ArmProblem {
  private:
   void AddConstants();
   void AddSensorConstants(int sensor);
+  bool ShowsMounting(int sensor) const;
   template <int kSize>
   void AddConstant(UnknownKind kind, int sensor, const Eigen::Matrix<double, kSize, 1>& mean,
                    const Eigen::Matrix<double, kSize, 1>& sigma);

@@ -80,8 +80,7 @@ void ArmProblem::AddSensorConstants(int sensor) {
   add(UnknownKind::kGyroScale, Vector3d::Zero(), options_.gyro_scale_sigma);
   add(UnknownKind::kAccelBias, Vector3d::Zero(), recording.noise.accel_bias_sigma);
   add(UnknownKind::kAccelScale, Vector3d::Zero(), options_.accel_scale_sigma);
-  add(UnknownKind::kMounting, Vector3d::Zero(),
-      options_.estimate_mountings && UntestedMountingSigma(sensor) == 0.0 ? mounting.q_sigma : 0.0);
+  add(UnknownKind::kMounting, Vector3d::Zero(), ShowsMounting(sensor) ? mounting.q_sigma : 0.0);
   add(UnknownKind::kSensorPosition, alone ? Vector3d::Zero() : mounting.p_BS_B,
       alone ? 0.0 : mounting.p_sigma);
   AddConstant<1>(UnknownKind::kClockOffset, sensor, Scalar::Zero(),
