@@ -38,6 +38,10 @@ std::string_view Name(ResidualKind kind) {
       return "gyro_bias_walk";
     case ResidualKind::kStartPose:
       return "start_pose";
+    case ResidualKind::kEndPose:
+      return "end_pose";
+    case ResidualKind::kContact:
+      return "contact";
     case ResidualKind::kRangeOfMotion:
       return "range_of_motion";
     case ResidualKind::kPrior:
@@ -58,7 +62,9 @@ std::string_view Name(ResidualKind kind) {
 
 int Unknown::Size() const {
   if (kind == UnknownKind::kAttitude) return 4;
-  if (kind == UnknownKind::kAdduction || kind == UnknownKind::kClockOffset) return 1;
+  if (kind == UnknownKind::kAdduction || kind == UnknownKind::kClockOffset ||
+      kind == UnknownKind::kContactHeight)
+    return 1;
   return kind == UnknownKind::kCarryingAngle ? 2 : 3;
 }
 
@@ -73,7 +79,8 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   const int sensors = static_cast<int>(observations_.recordings.size());
   has_thorax_ = observations_.recordings[0].segment == Segment::kThorax;
   size_ = {sensors, has_thorax_ && sensors > 1 ? 2 : 1, static_cast<int>(timeline_.knots.size()),
-           static_cast<int>(timeline_.nodes.size())};
+           static_cast<int>(timeline_.nodes.size()),
+           static_cast<int>(observations_.contacts.size())};
   per_knot_ = 4 * sensors + size_.roots + 1;  // and the elbow's deviation
   first_node_ = per_knot_ * size_.knots;
   first_constant_ = first_node_ + sensors * size_.nodes;
@@ -101,6 +108,9 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
     AddBiasWalk(sensor);
   }
   AddStart();
+  if (observations_.start_pose) AddHeldPose(*observations_.start_pose, ResidualKind::kStartPose);
+  if (observations_.end_pose) AddHeldPose(*observations_.end_pose, ResidualKind::kEndPose);
+  for (int contact = 0; contact < size_.contacts; ++contact) AddContact(contact);
   std::stable_sort(terms_.begin(), terms_.end(),
                    [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
 }

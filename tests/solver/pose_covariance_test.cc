@@ -41,6 +41,8 @@ class Poses : public testing::Test {
       recording.mounting->q_sigma = 2 * kDegree;
     }
     observations.start_pose.reset();
+    observations.contacts = {
+        {.place = "cup", .segment = Segment::kForearm, .times = {5.3, 5.6}, .sigma = 0.1}};
     return observations;
   }
 
@@ -75,6 +77,28 @@ TEST_F(Poses, HaveTheElbowOfTheDenseInverse) {
     for (const auto& [right, J_right] : moves)
       expected += (J_left * Dense(left, right) * J_right.transpose()).diagonal();
   EXPECT_LT((poses_->Joints(knot, 0.0)[1] - expected).norm(), 1e-7 * expected.norm());
+}
+
+// The length of the forearm, of which nothing but the touches at knots 3 and 6 speaks.
+TEST_F(Poses, HaveTheWristOfTheDenseInverseLongAfterItTouched) {
+  const int knot = 21;
+  const int unknowns[] = {problem_.Root(knot, 0), problem_.Attitude(knot, 0),
+                          problem_.Constant(UnknownKind::kJointVector, 0),
+                          problem_.Attitude(knot, 1),
+                          problem_.Constant(UnknownKind::kJointVector, 1)};
+  Eigen::Matrix<double, 3, 15> J;
+  J.leftCols<3>().setIdentity();
+  for (const int sensor : {0, 1}) {
+    const Matrix3d R = Turn(knot, sensor);
+    const Vector3d d = Map<Vector3d>(state_.Constant(UnknownKind::kJointVector, sensor));
+    J.middleCols<3>(3 + 6 * sensor) = -R * Skew<double>(d);
+    J.middleCols<3>(6 + 6 * sensor) = R;
+  }
+  Eigen::Matrix<double, 15, 15> P;
+  for (int a = 0; a < 5; ++a)
+    for (int b = 0; b < 5; ++b) P.block<3, 3>(3 * a, 3 * b) = Dense(unknowns[a], unknowns[b]);
+  const Vector3d expected = (J * P * J.transpose()).diagonal();
+  EXPECT_LT((poses_->Joints(knot, 0.0)[2] - expected).norm(), 1e-7 * expected.norm());
 }
 
 TEST_F(Poses, AreNoMoreCertainBetweenKnotsThanTheGyroscopeAllows) {

@@ -38,7 +38,7 @@ inline Trial HingedArm(const HingedArmOptions& options) {
   Observations& observations = trial.observations;
   observations.arm.side = options.side;
   observations.arm.elbow.carrying_angle = options.carrying_angle;
-  observations.start_pose = StartPose{.time = 0.0,
+  observations.start_pose = HeldPose{.time = 0.0,
                                       .elbow_flexion = std::numbers::pi / 2,
                                       .forearm_pronation = 0.0,
                                       .shoulder_elevation = {}};
