@@ -16,6 +16,14 @@ void EnterRotation(const Mounting& mounting, const std::string& key, Json& entry
   entry["q_sigma_deg"] = mounting.q_sigma / kDegree;
 }
 
+// A position that was found where none was told.
+void EnterPosition(const Mounting& mounting, Json& entry) {
+  const Eigen::Vector3d& p = mounting.p_BS_B;
+  if (p.isZero() || entry.contains("p_BS_m")) return;
+  entry["p_BS_m"] = {p.x(), p.y(), p.z()};
+  entry["p_sigma_m"] = mounting.p_sigma;
+}
+
 // A file's name as seen from another folder.
 void Rebase(const fs::path& from, const fs::path& to, Json& node) {
   const fs::path file = fs::absolute(from / node["file"].get<std::string>());
@@ -35,8 +43,10 @@ std::string WithMountings(const std::string& trial, const std::map<Segment, Moun
   for (Json& entry : json["recordings"]) {
     Rebase(trial, to, entry);
     const auto segment = SegmentFromName(entry["segment"].get<std::string>());
-    if (const auto found = mountings.find(*segment); found != mountings.end())
+    if (const auto found = mountings.find(*segment); found != mountings.end()) {
       EnterRotation(found->second, "q_BS_wxyz", entry["mounting"]);
+      EnterPosition(found->second, entry["mounting"]);
+    }
   }
   if (json.contains("reference")) Rebase(trial, to, json["reference"]);
   for (const auto& [segment, mounting] : clusters)
