@@ -24,6 +24,13 @@ void EnterPosition(const Mounting& mounting, Json& entry) {
   entry["p_sigma_m"] = mounting.p_sigma;
 }
 
+void LeaveOutUnmounted(Json& recordings) {
+  Json mounted = Json::array();
+  for (const Json& entry : recordings)
+    if (entry.contains("mounting")) mounted.push_back(entry);
+  recordings = mounted;
+}
+
 // A file's name as seen from another folder.
 void Rebase(const fs::path& from, const fs::path& to, Json& node) {
   const fs::path file = fs::absolute(from / node["file"].get<std::string>());
@@ -48,6 +55,7 @@ std::string WithMountings(const std::string& trial, const std::map<Segment, Moun
       EnterPosition(found->second, entry["mounting"]);
     }
   }
+  LeaveOutUnmounted(json["recordings"]);
   if (json.contains("reference")) Rebase(trial, to, json["reference"]);
   for (const auto& [segment, mounting] : clusters)
     EnterRotation(mounting, "q_BC_wxyz", json["reference"]["clusters"][std::string(Name(segment))]);

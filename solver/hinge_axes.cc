@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "problems/arm_model.h"
+#include "problems/statistics.h"
 
 namespace brachium {
 namespace {
@@ -15,13 +16,15 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 using Vector9d = Eigen::Matrix<double, 9, 1>;
 using Matrix9d = Eigen::Matrix<double, 9, 9>;
 
-constexpr double kBetaSigma = 12 * kDegree;
-constexpr double kLeastAdduction = 2 * kDegree;
-constexpr double kCorrelationTime = 1.5;  // [s]
+constexpr double kUsualAdduction = 8 * kDegree;  // rms on people: Luinge et al. (2007)
+constexpr double kCorrelationTime = 1.0;         // [s]
 constexpr int kStarts = 200;
 constexpr int kSweeps = 400;
 constexpr int kReweightings = 5;
-constexpr double kHuber = 1.5;  // of the rms
+constexpr int kDescents = 20;
+constexpr double kHuber = 1.5;
+constexpr double kOneSigma = 0.68;
+constexpr double kLeastTurn = 2 * kDegree;
 constexpr double kSameAxis = 5 * kDegree;
 
 Vector9d Entries(const Matrix3d& R_AB) {
@@ -34,13 +37,12 @@ Vector9d Product(const Vector3d& j1, const Vector3d& j2) { return Entries(j1 * j
 
 // Moments of the entries over all instants.
 struct Moments {
-  Vector9d mean;
-  Matrix9d scatter;  // about the mean
-  Matrix9d K;
+  Vector9d mean = Vector9d::Zero();
+  Matrix9d scatter = Matrix9d::Zero();  // about the mean
 };
 
 Moments MomentsOf(const std::vector<Vector9d>& entries, const std::vector<double>& weights) {
-  Moments moments{Vector9d::Zero(), Matrix9d::Zero(), Matrix9d::Zero()};
+  Moments moments;
   double sum = 0.0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     moments.mean += weights[i] * entries[i];
@@ -51,9 +53,22 @@ Moments MomentsOf(const std::vector<Vector9d>& entries, const std::vector<double
     const Vector9d apart = entries[i] - moments.mean;
     moments.scatter += weights[i] / sum * apart * apart.transpose();
   }
-  const double nu = kLeastAdduction * kLeastAdduction / (kBetaSigma * kBetaSigma);
-  moments.K = moments.scatter + nu * moments.mean * moments.mean.transpose();
   return moments;
+}
+
+// mᵀ K m with what anatomy says of the axes but for the sign of β; `variance` is that of the mean of e.
+Matrix9d WithAnatomy(const Moments& moments, const HingeAnatomy& anatomy, double variance) {
+  const Vector3d &l = anatomy.to_shoulder_A, &u = anatomy.to_elbow_B;
+  const Matrix3d off_u = Matrix3d::Identity() - u * u.transpose();
+  Matrix9d K = moments.mean * moments.mean.transpose() /
+               (anatomy.beta_sd * anatomy.beta_sd + anatomy.beta * anatomy.beta);
+  for (int a = 0; a < 3; ++a) {
+    K.block<3, 3>(3 * a, 3 * a) += off_u / (anatomy.to_elbow_sd * anatomy.to_elbow_sd);
+    for (int b = 0; b < 3; ++b)
+      K.block<3, 3>(3 * a, 3 * b) +=
+          l[a] * l[b] / (anatomy.to_shoulder_sd * anatomy.to_shoulder_sd) * Matrix3d::Identity();
+  }
+  return moments.scatter + variance * K;
 }
 
 Vector3d LeastEigenvector(const Matrix3d& A) {
@@ -113,59 +128,114 @@ std::pair<Pair, double> Search(const Matrix9d& K) {
   return {best, next};
 }
 
+// About the weighted mean, by the spread of all, which weights cannot shrink.
 std::vector<double> HuberWeights(const std::vector<Vector9d>& entries, const Moments& moments,
                                  const Pair& pair) {
   const Vector9d m = Product(pair.j1, pair.j2);
-  const double scale = std::max(std::sqrt(m.dot(moments.scatter * m)), 1e-9);
+  std::vector<double> apart;
+  for (const Vector9d& r : entries) apart.push_back(std::abs(m.dot(r - moments.mean)));
+  const double most = kHuber * std::max(Quantile(apart, kOneSigma), kUsualAdduction);
   std::vector<double> weights;
-  for (const Vector9d& r : entries) {
-    const double e = std::abs(m.dot(r - moments.mean)) / scale;
-    weights.push_back(e > kHuber ? kHuber / e : 1.0);
-  }
+  for (const double e : apart) weights.push_back(e > most ? most / e : 1.0);
   return weights;
 }
 
-// Sds from the information of the motion about both axes and what is known of β.
-void SetSds(const Moments& moments, double span, HingeAxes& axes) {
-  Eigen::Matrix<double, 9, 4> J;
-  const Vector3d across1 = axes.j1_A.unitOrthogonal(), across2 = axes.j2_B.unitOrthogonal();
-  J.col(0) = Product(across1, axes.j2_B);
-  J.col(1) = Product(axes.j1_A.cross(across1), axes.j2_B);
-  J.col(2) = Product(axes.j1_A, across2);
-  J.col(3) = Product(axes.j1_A, axes.j2_B.cross(across2));
-  const double sigma = std::max(axes.misfit, kLeastAdduction);
-  const double count = span / (2 * kCorrelationTime);
-  const Eigen::Vector4d mean = J.transpose() * moments.mean;
-  const Eigen::Matrix4d information =
-      count / (sigma * sigma) * J.transpose() * moments.scatter * J +
-      mean * mean.transpose() / (kBetaSigma * kBetaSigma) + Eigen::Matrix4d::Identity();
-  const Eigen::Matrix4d P = information.inverse();
-  const auto largest = [](const Eigen::Matrix2d& block) {
-    return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(block).eigenvalues()[1]);
-  };
-  axes.j1_sd = largest(P.topLeftCorner<2, 2>());
-  axes.j2_sd = largest(P.bottomRightCorner<2, 2>());
+// The instants between which the elbow has moved: a rest counts once, however long it is.
+std::vector<Vector9d> MovingEntries(const std::vector<Matrix3d>& R_AB) {
+  std::vector<Vector9d> moving;
+  for (const Matrix3d& R : R_AB) {
+    const Vector9d entries = Entries(R);
+    if (moving.empty() || (entries - moving.back()).norm() > std::sqrt(2.0) * kLeastTurn)
+      moving.push_back(entries);
+  }
+  return moving;
+}
+
+double RmsOf(const Moments& moments, const Pair& pair) {
+  const Vector9d m = Product(pair.j1, pair.j2);
+  return std::sqrt(m.dot(moments.scatter * m));
+}
+
+void SetSigns(const std::vector<Matrix3d>& R_AB, const HingeAnatomy& anatomy, Pair& pair) {
+  if (pair.j2.dot(anatomy.to_elbow_B) < 0) pair.j2 = -pair.j2;
+  double bending = 0.0;
+  for (const Matrix3d& R : R_AB) bending += pair.j1.dot(anatomy.to_shoulder_A.cross(R * pair.j2));
+  if (bending < 0) pair.j1 = -pair.j1;
+}
+
+// Two directions at right angles to an axis and to one another.
+Eigen::Matrix<double, 3, 2> Across(const Vector3d& axis) {
+  Eigen::Matrix<double, 3, 2> across;
+  across.col(0) = axis.unitOrthogonal();
+  across.col(1) = axis.cross(across.col(0));
+  return across;
+}
+
+// The last descent, whose unknowns are the turns of j1 and j2 along Across(); gives the covariance.
+Eigen::Matrix4d Refine(const Moments& moments, const HingeAnatomy& anatomy, double variance,
+                       Pair& pair) {
+  const Vector3d &l = anatomy.to_shoulder_A, &u = anatomy.to_elbow_B;
+  Eigen::Matrix4d H;
+  for (int i = 0; i < kDescents; ++i) {
+    const auto across1 = Across(pair.j1), across2 = Across(pair.j2);
+    Eigen::Matrix<double, 9, 4> J;
+    for (int k = 0; k < 2; ++k) {
+      J.col(k) = Product(across1.col(k), pair.j2);
+      J.col(2 + k) = Product(pair.j1, across2.col(k));
+    }
+    const Vector9d m = Product(pair.j1, pair.j2);
+    H = J.transpose() * moments.scatter * J / variance;
+    Eigen::Vector4d g = J.transpose() * moments.scatter * m / variance;
+    const auto add = [&](double r, const Eigen::Vector4d& dr, double sd) {
+      H += dr * dr.transpose() / (sd * sd);
+      g += dr * r / (sd * sd);
+    };
+    add(moments.mean.dot(m) - std::sin(anatomy.beta), J.transpose() * moments.mean,
+        anatomy.beta_sd);
+    Eigen::Vector4d dr = Eigen::Vector4d::Zero();
+    dr.head<2>() = across1.transpose() * l;
+    add(l.dot(pair.j1), dr, anatomy.to_shoulder_sd);
+    for (const Vector3d& v :
+         {Vector3d(u.unitOrthogonal()), Vector3d(u.cross(u.unitOrthogonal()))}) {
+      dr.setZero();
+      dr.tail<2>() = across2.transpose() * v;
+      add(v.dot(pair.j2), dr, anatomy.to_elbow_sd);
+    }
+    const Eigen::Vector4d step = -H.ldlt().solve(g);
+    pair.j1 = (pair.j1 + across1 * step.head<2>()).normalized();
+    pair.j2 = (pair.j2 + across2 * step.tail<2>()).normalized();
+  }
+  return H.inverse();
+}
+
+double LargestSd(const Eigen::Matrix2d& P) {
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(P).eigenvalues()[1]);
 }
 
 }  // namespace
 
-HingeAxes FindHingeAxes(const std::vector<Matrix3d>& R_AB, double period) {
-  std::vector<Vector9d> entries;
-  for (const Matrix3d& R : R_AB) entries.push_back(Entries(R));
-  std::vector<double> weights(entries.size(), 1.0);
-  Moments moments = MomentsOf(entries, weights);
-  auto [pair, next] = Search(moments.K);
+HingeAxes FindHingeAxes(const std::vector<Matrix3d>& R_AB, double period,
+                        const HingeAnatomy& anatomy) {
+  const std::vector<Vector9d> entries = MovingEntries(R_AB);
+  const double count = static_cast<double>(entries.size()) * period / (2 * kCorrelationTime);
+  double variance = kUsualAdduction * kUsualAdduction / count;
+  Moments moments = MomentsOf(entries, std::vector<double>(entries.size(), 1.0));
+  auto [pair, next] = Search(WithAnatomy(moments, anatomy, variance));
+  const double next_misfit = std::sqrt(next);
   for (int i = 0; i < kReweightings; ++i) {
-    weights = HuberWeights(entries, moments, pair);
-    moments = MomentsOf(entries, weights);
-    pair = Descend(moments.K, pair.j1, kSweeps);
+    moments = MomentsOf(entries, HuberWeights(entries, moments, pair));
+    pair = Descend(WithAnatomy(moments, anatomy, variance), pair.j1, kSweeps);
   }
-  HingeAxes axes{.j1_A = pair.j1, .j2_B = pair.j2};
-  const Vector9d m = Product(pair.j1, pair.j2);
-  axes.misfit = std::sqrt(m.dot(moments.scatter * m));
-  axes.next_misfit = std::sqrt(next);
-  SetSds(moments, static_cast<double>(R_AB.size()) * period, axes);
-  return axes;
+  SetSigns(R_AB, anatomy, pair);
+  const double sigma = std::max(RmsOf(moments, pair), kUsualAdduction);
+  variance = sigma * sigma / count;
+  const Eigen::Matrix4d P = Refine(moments, anatomy, variance, pair);
+  return {.j1_A = pair.j1,
+          .j2_B = pair.j2,
+          .j1_sd = LargestSd(P.topLeftCorner<2, 2>()),
+          .j2_sd = LargestSd(P.bottomRightCorner<2, 2>()),
+          .misfit = RmsOf(moments, pair),
+          .next_misfit = next_misfit};
 }
 
 }  // namespace brachium

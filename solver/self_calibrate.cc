@@ -16,9 +16,12 @@ using Eigen::Matrix3d, Eigen::Quaterniond, Eigen::Vector3d;
 
 constexpr double kShortest = 10.0;                   // [s]
 constexpr double kLeastRange = 30 * kDegree;         // of flexion and of pronation
-constexpr double kLeastKnownAxis = 8 * kDegree;      // sd
+constexpr double kLeastKnownAxis = 18 * kDegree;     // sd
 constexpr double kLeastKnownHeading = 15 * kDegree;  // sd
 constexpr double kLineSigma = 5 * kDegree;           // the shoulder is no point, and skin gives way
+constexpr double kSeatSigma =
+    20 * kDegree;  // from the forearm's axis to its sensor, seen from the elbow
+constexpr double kStretched = -5 * kDegree;  // the least flexion of a usual elbow
 constexpr double kHangs = 35 * kDegree;
 constexpr double kAssumedPoseSigma = 30 * kDegree;
 constexpr double kPlaceSigma = 0.01;  // [m]
@@ -35,16 +38,21 @@ Matrix3d FromYZ(const Vector3d& Y, const Vector3d& Z) {
   return R;
 }
 
-// Axes with their signs; the zero of flexion from the line to the shoulder, that of pronation open.
-Elbow Signed(const BallJoint& joint, const HingeAxes& axes) {
-  const Vector3d to_elbow_B = -joint.elbow_to_sensor_B;
-  const Vector3d Y_F = axes.j2_B.dot(to_elbow_B) < 0 ? Vector3d(-axes.j2_B) : axes.j2_B;
-  const Vector3d line_A = -joint.shoulder_to_elbow_A.normalized();
-  double bending = 0.0;
-  for (const Matrix3d& R_AB : joint.R_AB) bending += axes.j1_A.dot(line_A.cross(R_AB * Y_F));
-  const Vector3d Z_U = bending < 0 ? Vector3d(-axes.j1_A) : axes.j1_A;
-  const Vector3d Y_U = (line_A - line_A.dot(Z_U) * Z_U).normalized();
-  return {.R_AU = FromYZ(Y_U, Z_U), .R_BF = FromYZ(Y_F, Y_F.unitOrthogonal())};
+// What the places of the joints and the usual elbow say of the axes.
+HingeAnatomy AnatomyOf(const BallJoint& joint, const ElbowModel& elbow, Side side) {
+  const double line_sd = joint.upper_sd / joint.shoulder_to_elbow_A.norm();
+  return {.to_shoulder_A = -joint.shoulder_to_elbow_A.normalized(),
+          .to_shoulder_sd = std::hypot(line_sd, kLineSigma),
+          .to_elbow_B = -joint.elbow_to_sensor_B.normalized(),
+          .to_elbow_sd = kSeatSigma,
+          .beta = -Sign(side) * elbow.carrying_angle,
+          .beta_sd = elbow.carrying_angle_sigma};
+}
+
+// The zero of flexion from the line to the shoulder; that of pronation is left open.
+Elbow FromAxes(const HingeAxes& axes, const Vector3d& line_A) {
+  const Vector3d Y_U = (line_A - line_A.dot(axes.j1_A) * axes.j1_A).normalized();
+  return {.R_AU = FromYZ(Y_U, axes.j1_A), .R_BF = FromYZ(axes.j2_B, axes.j2_B.unitOrthogonal())};
 }
 
 ElbowAngles AnglesAt(const Elbow& elbow, const Matrix3d& R_AB, Side side) {
@@ -70,8 +78,8 @@ class SelfCalibration {
     for (const Recording& other : observations_.recordings)
       if (&other != upper_arm && &other != forearm && !other.mounting)
         result_.notes.push_back(std::string(Name(other.segment)) +
-                                ": the elbow tells nothing of its mounting; give its q_BS_wxyz or "
-                                "leave the recording out");
+                                ": the elbow tells nothing of its mounting, and it is left out; to "
+                                "keep it, give its q_BS_wxyz");
     return result_;
   }
 
@@ -89,10 +97,12 @@ class SelfCalibration {
     if (!joint) return Refuse(why);
     if (joint->time.back() - joint->time.front() < kShortest)
       return Refuse("both sensors together cover less than 10 s: record 10 s or more of movement");
-    const HingeAxes axes = FindHingeAxes(joint->R_AB, BallJoint::kPeriod);
-    Elbow elbow = Signed(*joint, axes);
+    const HingeAnatomy anatomy = AnatomyOf(*joint, observations_.arm.elbow, side());
+    const HingeAxes axes = FindHingeAxes(joint->R_AB, BallJoint::kPeriod, anatomy);
+    Elbow elbow = FromAxes(axes, anatomy.to_shoulder_A);
     const auto pose = PoseFor(elbow, *joint, upper_arm, forearm);
     if (pose) SetZeros(*pose, *joint, elbow);
+    KeepFromOverstretching(*joint, elbow);
     const std::vector<Figure> ranges = Ranges(*joint, elbow);
     if (!IsTold(*joint, axes, ranges)) return;
     if (!pose)
@@ -140,6 +150,16 @@ class SelfCalibration {
     const double turn = Sign(side()) * (*pose.forearm_pronation - now.pronation);
     elbow.R_BF *= Eigen::AngleAxisd(turn, Vector3d::UnitY()).toRotationMatrix();
     elbow.pronation_zero_sd = pose.sigma;
+  }
+
+  // The zero of flexion moves until the elbow does not overstretch.
+  void KeepFromOverstretching(const BallJoint& joint, Elbow& elbow) {
+    const double beyond = kStretched - Ranges(joint, elbow).front().value * kDegree;
+    if (beyond <= 0.0) return;
+    elbow.R_AU *= Eigen::AngleAxisd(-beyond, Vector3d::UnitZ()).toRotationMatrix();
+    result_.notes.push_back("upper_arm: the zero of flexion was moved by " + Degrees(beyond) +
+                            " so that the elbow stretches to " + Degrees(kStretched) +
+                            ", not further");
   }
 
   // From the 1 % to the 99 % quantile of every angle.

@@ -10,7 +10,8 @@
 //      Z_U such that bending is positive: z_U · (y_U × y_F) = sin a > 0 on average.
 // 4. No movement of the elbow shows the zeros of flexion (the rotation of the upper arm's sensor about
 //    Z_U) and of pronation (that of the forearm's about Y_F). For flexion the line from elbow to
-//    shoulder and the start pose are weighted; pronation has the start pose only. Where none is told
+//    shoulder and the start pose are weighted; pronation has the start pose only. Where the
+//    elbow would overstretch, beyond -5 deg in 1 % of the time, the zero of flexion is moved. Where none is told
 //    and the arm hangs when the recordings begin, the thumb is taken to point forward, sd 30 deg.
 // Positions  of the sensors come along, where none was told: of the forearm's from the elbow, of the
 //            upper arm's from the elbow and the told length.
@@ -26,7 +27,7 @@
 namespace brachium {
 
 // Mountings of the upper arm's and the forearm's sensor, whatever was told of them. Other segments keep
-// the mounting that they have; one without is left as it is, with a note. Of the options only the floor
+// the mounting that they have; one without gets none, with a note. Of the options only the floor
 // of sigma is used.
 Calibration SelfCalibrate(const Observations& observations, const CalibrationOptions& options);
 
