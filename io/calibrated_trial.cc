@@ -16,10 +16,8 @@ void EnterRotation(const Mounting& mounting, const std::string& key, Json& entry
   entry["q_sigma_deg"] = mounting.q_sigma / kDegree;
 }
 
-// A position that was found where none was told.
 void EnterPosition(const Mounting& mounting, Json& entry) {
   const Eigen::Vector3d& p = mounting.p_BS_B;
-  if (p.isZero() || entry.contains("p_BS_m")) return;
   entry["p_BS_m"] = {p.x(), p.y(), p.z()};
   entry["p_sigma_m"] = mounting.p_sigma;
 }
@@ -51,8 +49,9 @@ std::string WithMountings(const std::string& trial, const std::map<Segment, Moun
     Rebase(trial, to, entry);
     const auto segment = SegmentFromName(entry["segment"].get<std::string>());
     if (const auto found = mountings.find(*segment); found != mountings.end()) {
+      const bool placed = !entry.contains("mounting") && !found->second.p_BS_B.isZero();
       EnterRotation(found->second, "q_BS_wxyz", entry["mounting"]);
-      EnterPosition(found->second, entry["mounting"]);
+      if (placed) EnterPosition(found->second, entry["mounting"]);
     }
   }
   LeaveOutUnmounted(json["recordings"]);

@@ -12,7 +12,7 @@ namespace brachium {
 
 // The trial.json of a trial folder, key by key as it is, with rotation and sigma of these mountings,
 // of the sensors and of the clusters of the reference, and with "calibration", what is to be known about them; the position of a sensor stays as it was
-// told; untold, it is entered where the mounting has one (not zero). Recordings
+// told; without any mounting told, it is entered where the mounting has one (not zero). Recordings
 // that no mounting is known of are left out. File names become relative to the folder of `output`, the file that is to receive
 // the text. The folder must have been read without an error.
 std::string WithMountings(const std::string& trial, const std::map<Segment, Mounting>& mountings,
