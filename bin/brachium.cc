@@ -2,6 +2,7 @@
 // message and an exit code.
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -33,8 +34,15 @@ constexpr std::array kCommands = {
     Command{"compare", RunCompare, "runs several methods on several trials, side by side"},
     Command{"calibrate", RunCalibrate,
             "finds how sensors sit on their segments from labelled movements"},
+    Command{"export", RunExport, "writes an estimate in the files of OpenSim"},
+    Command{"import", RunImport, "makes a trial folder from the exports of makers' programs"},
     Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},
     Command{"simulate", RunSimulate, "writes a trial folder whose truth is known"},
+    Command{"sweep plan", RunSweepPlan, "lists the tasks of a parameter sweep over many trials"},
+    Command{"sweep run", RunSweepRun, "runs tasks of a sweep, all or a part"},
+    Command{"sweep status", RunSweepStatus, "says which tasks are done, failed, missing"},
+    Command{"sweep merge", RunSweepMerge, "puts the results together and chooses the best points"},
+    Command{"sweep submit", RunSweepSubmit, "hands a sweep to Slurm, or runs it here"},
 };
 
 std::string Overview() {
@@ -48,7 +56,20 @@ std::string Overview() {
          "  help          shows this\n"
          "  version       shows the version\n\n"
          "brachium COMMAND --help describes the command and its flags.\n"
-         "Exit codes: 0 good, 1 wrong flag, 2 wrong input, 3 result not to be trusted.\n";
+         "Exit codes: 0 good, 1 wrong flag, 2 wrong input, 3 result not to be trusted, 4 "
+         "incomplete\n"
+         "sweep.\n";
+}
+
+bool AsksHelp(const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), "--help") != words.end();
+}
+
+// "sweep plan" is one command in two words.
+void JoinSweep(std::string* name, std::vector<std::string>* words) {
+  if (*name != "sweep" || words->empty() || words->front().starts_with("-")) return;
+  *name += " " + words->front();
+  words->erase(words->begin());
 }
 
 int RunCommand(const std::string& name, const std::vector<std::string>& words) {
@@ -73,8 +94,13 @@ int Dispatch(std::vector<std::string> words) {
   const bool asks_help = name == "help" || name == "--help" || name == "-h";
   if (asks_help && !words.empty()) {
     name = words.front();
+    words.erase(words.begin());
+    JoinSweep(&name, &words);
     words = {"--help"};
-  } else if (asks_help) {
+  } else {
+    JoinSweep(&name, &words);
+  }
+  if (name == "--help" || name == "-h" || name == "help" || (name == "sweep" && AsksHelp(words))) {
     std::cout << Overview();
     return kGood;
   }

@@ -35,7 +35,8 @@ const CommandHelp kHelp = {
     "Compares an estimate with the independent reference of its trial: orientation of each "
     "segment and between segments, joint angles, positions. Absolute orientations and positions "
     "are compared after one constant heading and shift, which no inertial sensor can know. Prints "
-    "tables and writes evaluation.json."};
+    "tables and writes evaluation.json. Exits with 2, and writes nothing, when the trial has no "
+    "reference."};
 
 }  // namespace
 

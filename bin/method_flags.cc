@@ -41,6 +41,13 @@ MethodFlags::MethodFlags(const std::string& flag, const std::vector<std::string>
       [&](const char* name, const auto& field, const char*) { defaults_.emplace(name, field); });
 }
 
+void MethodFlags::Preset(const std::string& name, const FlagValue& value) {
+  VisitAll([&](const char* other, auto& field, const char*) {
+    if (name == other) field = std::get<std::decay_t<decltype(field)>>(value);
+  });
+  if (const auto found = defaults_.find(name); found != defaults_.end()) found->second = value;
+}
+
 void MethodFlags::Share() {
   std::map<std::string, FlagValue> values;
   VisitAll([&](const char* name, const auto& field, const char*) { values.emplace(name, field); });

@@ -35,7 +35,11 @@ class MethodFlags {
     });
   }
 
-  // Gives what was read to all that have it; each keeps its own default otherwise. Throws UsageError when options contradict themselves.
+  // Another default for the option of that name, before the flags are registered.
+  void Preset(const std::string& name, const FlagValue& value);
+
+  // Gives what was read to all that have it; each keeps its own default otherwise. Throws UsageError
+  // when options contradict themselves.
   void Share();
 
   const std::vector<MethodOptions>& options() const { return options_; }

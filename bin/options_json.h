@@ -7,7 +7,7 @@ namespace brachium {
 
 template <typename Options>
 nlohmann::ordered_json ToJson(const Options& options) {
-  nlohmann::ordered_json json;
+  auto json = nlohmann::ordered_json::object();
   Options::Visit(options,
                  [&](const char* name, const auto& value, const char*) { json[name] = value; });
   return json;

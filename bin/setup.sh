@@ -3,9 +3,9 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 build_packages=(g++ cmake ninja-build libboost-dev libceres-dev libeigen3-dev libgflags-dev
-  libgoogle-glog-dev nlohmann-json3-dev libssl-dev)
+  libgoogle-glog-dev libpugixml-dev nlohmann-json3-dev libssl-dev)
 test_packages=("${build_packages[@]}" libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev
-  clang-format clang-tidy)
+  clang-format clang-tidy munge python3 python3-jsonschema slurm-client slurmctld slurmd)
 
 # quietly MESSAGE COMMAND...: says the message; shows the command's output only if it fails.
 quietly() {

@@ -46,7 +46,7 @@ UsableRows FindUsableRows(const CsvTable& table,
     if (last_leapt) rows.back() = row;
   }
   if (2 * usable.not_later > table.rows)
-    throw InputError(table.file, CsvTable::Line(first_not_later),
+    throw InputError(table.file, table.Line(first_not_later),
                      "time_s repeats itself or runs back here and in most of the rows; expected "
                      "an increasing time");
   if (rows.size() < 2)
@@ -88,7 +88,7 @@ void CheckStepUnit(const Steps& steps, const std::string& file) {
 void ReportRows(const CsvTable& table, const UsableRows& usable, const Steps& steps,
                 const std::string& name, Findings* findings) {
   if (table.cut_off)
-    findings->repairs.push_back(name + ":" + std::to_string(CsvTable::Line(table.rows)) +
+    findings->repairs.push_back(name + ":" + std::to_string(table.Line(table.rows)) +
                                 ": the last row is cut off and was left out");
   if (usable.not_finite > 0)
     findings->repairs.push_back(name + ": " + Count(usable.not_finite, "row") +

@@ -39,38 +39,30 @@ void RefuseBinary(std::string_view text, const std::string& file) {
     throw InputError(file, 0, "is a binary file; expected comma-separated text");
 }
 
-std::vector<std::string> SplitHeader(std::string_view line) {
-  std::vector<std::string> names;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    std::string_view name = Trimmed(line.substr(begin, end - begin));
-    if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
-      name = name.substr(1, name.size() - 2);
-    names.emplace_back(name);
-    begin = end + 1;
-  }
-  return names;
-}
-
-void CheckHeader(std::string_view line, const CsvTable& table) {
-  if (table.names.size() == 1 && line.find_first_of(";\t") != std::string_view::npos)
-    throw InputError(table.file, 1,
+void CheckDelimiter(std::string_view header, const std::string& file) {
+  if (header.find(',') == std::string_view::npos &&
+      header.find_first_of(";\t") != std::string_view::npos)
+    throw InputError(file, 1,
                      "columns are parted by semicolons or tabs; expected commas, and decimal "
                      "points in the numbers");
+}
+
+void CheckNames(const CsvTable& table) {
+  const std::size_t line = table.first_line - 1;
   std::vector<std::string_view> sorted(table.names.begin(), table.names.end());
   std::erase(sorted, "");
-  if (sorted.empty()) throw InputError(table.file, 1, "has no column names; expected a header");
+  if (sorted.empty()) throw InputError(table.file, line, "has no column names; expected a header");
   std::ranges::sort(sorted);
   const auto twice = std::ranges::adjacent_find(sorted);
   if (twice != sorted.end())
-    throw InputError(table.file, 1, "column " + Shown(*twice) + " appears twice; expected once");
+    throw InputError(table.file, line, "column " + Shown(*twice) + " appears twice; expected once");
 }
 
 // The number that a whole cell spells, NaN when the cell is empty. A number that no double can hold
 // becomes zero or infinite.
-bool ParseCell(std::string_view cell, double* value) {
+bool ParseCell(std::string_view cell, std::string_view missing, double* value) {
   *value = kNaN;
-  if (cell.empty()) return true;
+  if (cell.empty() || cell == missing) return true;
   const char* const end = cell.data() + cell.size();
   const bool plus = cell.front() == '+' && cell.size() > 1 && cell[1] != '-';
   const auto [at, error] = std::from_chars(cell.data() + (plus ? 1 : 0), end, *value);
@@ -81,11 +73,17 @@ bool ParseCell(std::string_view cell, double* value) {
   return true;
 }
 
+constexpr std::string_view kDecimalComma =
+    "; decimal commas, as it seems: write decimal points [decimal_comma]";
+
 class Rows {
  public:
-  Rows(std::string_view text, CsvTable* table, std::vector<bool> wanted)
+  Rows(std::string_view text, const CsvLayout& layout, CsvTable* table, std::vector<bool> wanted)
       : at_(text.data()),
         end_(text.data() + text.size()),
+        delimiter_(layout.delimiter),
+        missing_(layout.missing),
+        spare_delimiter_(layout.spare_delimiter),
         table_(*table),
         wanted_(wanted.begin(), wanted.end()),
         row_(table->names.size(), kNaN) {}
@@ -124,49 +122,66 @@ class Rows {
       const char* const cell_end = wanted_[c] ? ReadCell(c) : CellEnd();
       if (cell_end == nullptr) return false;
       at_ = cell_end;
-      const bool comma = at_ != end_ && *at_ == ',';
-      if (comma == (c == last)) return comma ? FailLength() : EndsEarly();
-      if (comma) ++at_;
+      bool delimited = at_ != end_ && *at_ == delimiter_;
+      if (delimited && c == last && EndsAt(at_ + 1)) {
+        at_ = std::find(at_, end_, '\n');
+        delimited = false;
+      }
+      if (delimited == (c == last)) return delimited ? FailLength() : EndsEarly();
+      if (delimited) ++at_;
     }
     if (at_ != end_) ++at_;
     return true;
   }
 
+  bool EndsAt(const char* p) const {
+    return spare_delimiter_ && (p == end_ || *p == '\n' || *p == '\r');
+  }
+
   const char* CellEnd() const {
     const char* p = at_;
-    while (p != end_ && *p != ',' && *p != '\n') ++p;
+    while (p != end_ && *p != delimiter_ && *p != '\n') ++p;
     return p;
   }
 
   // The cell's end, or nullptr where the file breaks off within it.
   const char* ReadCell(std::size_t c) {
     const auto [p, error] = std::from_chars(at_, end_, row_[c]);
-    if (error == std::errc() && p != end_ && (*p == ',' || *p == '\n')) return p;
+    if (error == std::errc() && p != end_ && (*p == delimiter_ || *p == '\n')) return p;
     const char* const cell_end = CellEnd();
     const std::string_view cell = Trimmed({at_, cell_end});
-    if (ParseCell(cell, &row_[c])) return cell_end;
+    if (ParseCell(cell, missing_, &row_[c])) return cell_end;
     if (cell_end == end_ && cell.find_first_not_of("0123456789+-.eE") == cell.npos) return nullptr;
-    Fail(table_.names[c] + " is " + Shown(cell) + "; expected a number with a decimal point");
+    Fail(table_.names[c] + " is " + Shown(cell) + "; expected a number with a decimal point" +
+         (HasDecimalComma(cell) ? std::string(kDecimalComma) : ""));
+  }
+
+  static bool HasDecimalComma(std::string_view cell) {
+    return std::ranges::count(cell, ',') == 1 &&
+           cell.find_first_not_of("0123456789+-,eE") == cell.npos;
   }
 
   bool EndsEarly() const { return at_ == end_ ? false : FailLength(); }
 
   [[noreturn]] bool FailLength() const {
     const auto row_end = std::find(row_begin_, end_, '\n');
-    const auto cells = static_cast<std::size_t>(std::count(row_begin_, row_end, ',')) + 1;
+    const auto cells = static_cast<std::size_t>(std::count(row_begin_, row_end, delimiter_)) + 1;
     std::string what = "row has " + std::to_string(cells) + " cells; expected " +
                        std::to_string(row_.size()) + " as in the header";
     if (Trimmed({row_begin_, row_end}).empty()) what += " (the line is blank)";
-    if (cells >= 2 * row_.size() - 1) what += "; write decimal points where it has decimal commas";
+    if (delimiter_ == ',' && cells >= 2 * row_.size() - 1) what += kDecimalComma;
     Fail(what);
   }
 
   [[noreturn]] void Fail(const std::string& what) const {
-    throw InputError(table_.file, CsvTable::Line(table_.rows), what);
+    throw InputError(table_.file, table_.Line(table_.rows), what);
   }
 
   const char* at_;
   const char* const end_;
+  const char delimiter_;
+  const std::string_view missing_;
+  const bool spare_delimiter_;
   const char* row_begin_ = nullptr;
   CsvTable& table_;
   const std::vector<char> wanted_;
@@ -188,21 +203,46 @@ const std::vector<double>& CsvTable::Column(std::string_view name) const {
                        Shown(Listed(present), 200));
 }
 
-CsvTable ParseCsv(std::string_view text, const std::string& file, const ColumnFilter& wanted) {
+std::string_view PlainText(std::string_view text, const std::string& file) {
   RefuseBinary(text, file);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  const std::string_view header = text.substr(0, text.find('\n'));
+  return text;
+}
+
+std::vector<std::string> SplitCells(std::string_view line, char delimiter) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(delimiter, begin), line.size());
+    std::string_view cell = Trimmed(line.substr(begin, end - begin));
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = cell.substr(1, cell.size() - 2);
+    cells.emplace_back(cell);
+    begin = end + 1;
+  }
+  return cells;
+}
+
+CsvTable ParseRows(std::string_view text, const std::string& file, CsvLayout layout,
+                   const ColumnFilter& wanted) {
   CsvTable table;
   table.file = file;
-  table.names = SplitHeader(header);
-  CheckHeader(header, table);
+  table.names = std::move(layout.names);
+  table.first_line = layout.first_line;
+  CheckNames(table);
   table.columns.resize(table.names.size());
-  text.remove_prefix(std::min(header.size() + 1, text.size()));
   std::vector<bool> chosen;
   for (const std::string& name : table.names)
     chosen.push_back(!name.empty() && (!wanted || wanted(name)));
-  Rows(text, &table, std::move(chosen)).Read();
+  Rows(text, layout, &table, std::move(chosen)).Read();
   return table;
+}
+
+CsvTable ParseCsv(std::string_view text, const std::string& file, const ColumnFilter& wanted) {
+  text = PlainText(text, file);
+  const std::string_view header = text.substr(0, text.find('\n'));
+  CheckDelimiter(header, file);
+  text.remove_prefix(std::min(header.size() + 1, text.size()));
+  return ParseRows(text, file, {.names = SplitCells(header, ','), .first_line = 2}, wanted);
 }
 
 CsvTable ReadCsv(const std::string& file, const ColumnFilter& wanted) {

@@ -9,15 +9,16 @@
 
 namespace brachium {
 
-// A table of numbers. Row r stands on line r + 2 of its file, below the header.
+// A table of numbers.
 struct CsvTable {
   std::string file;
   std::vector<std::string> names;            // every column of the header, in its order
   std::vector<std::vector<double>> columns;  // beside `names`; empty where not wanted
   std::size_t rows = 0;
-  bool cut_off = false;  // the last line had no end and not all cells: it is left out
+  bool cut_off = false;        // the last line had no end and not all cells: it is left out
+  std::size_t first_line = 2;  // of its file, on which row 0 stands
 
-  static std::size_t Line(std::size_t row) { return row + 2; }
+  std::size_t Line(std::size_t row) const { return row + first_line; }
 
   bool Has(std::string_view name) const;
 
@@ -35,6 +36,25 @@ using ColumnFilter = std::function<bool(std::string_view name)>;
 // file. `file` is the name that errors carry.
 CsvTable ParseCsv(std::string_view text, const std::string& file, const ColumnFilter& wanted = {});
 CsvTable ReadCsv(const std::string& file, const ColumnFilter& wanted = {});
+
+// How the rows of a vendor's file are written, below whatever headers it has.
+struct CsvLayout {
+  std::vector<std::string> names;  // of the columns, as CsvTable has them
+  char delimiter = ',';
+  std::size_t first_line = 1;     // of the file, on which the first row stands
+  std::string_view missing = {};  // a cell that means NaN, besides the empty one
+  bool spare_delimiter = false;   // a row may end with one delimiter too many
+};
+
+// The same for rows whose header was read before.
+CsvTable ParseRows(std::string_view text, const std::string& file, CsvLayout layout,
+                   const ColumnFilter& wanted = {});
+
+// The text without a byte-order mark. Throws InputError when it is empty or binary.
+std::string_view PlainText(std::string_view text, const std::string& file);
+
+// The cells of a line, blanks and double quotes around them taken off.
+std::vector<std::string> SplitCells(std::string_view line, char delimiter);
 
 // A column to be written: `first` is its first number, the next lies `stride` doubles further.
 struct CsvColumn {

@@ -104,7 +104,7 @@ Rotations ReadRotations(const CsvTable& table, const std::string& name) {
   for (std::size_t row = 0; row < table.rows; ++row) {
     rotations.emplace_back(w[row], x[row], y[row], z[row]);
     if (std::abs(rotations.back().norm() - 1.0) > kUnitNormTolerance)
-      throw InputError(table.file, CsvTable::Line(row),
+      throw InputError(table.file, table.Line(row),
                        name + "_qw.._qz have the norm " + Fixed(rotations.back().norm(), 4) +
                            "; expected a unit quaternion");
   }

@@ -5,6 +5,7 @@
 #include "io/arm_json.h"
 #include "io/estimate_csv.h"
 #include "io/file_bytes.h"
+#include "io/headings_figure.h"
 #include "io/input_error.h"
 #include "io/json_input.h"
 #include "io/summary.h"
@@ -38,6 +39,8 @@ void WriteEstimate(const std::string& folder, const Estimate& estimate, const Ru
   output.Write("summary.json", Dump(SummaryOf(estimate, run)));
   output.Write("timing.json", Dump(TimingOf(estimate, run)));
   output.Write("run.flags", RunFlags(run));
+  if (!estimate.diagnostics.headings.empty())
+    output.Write("headings.svg", HeadingsFigure(estimate.diagnostics.headings));
   output.Commit();
 }
 

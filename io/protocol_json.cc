@@ -62,6 +62,14 @@ void ReplaceIfGiven(const JsonNode& node, const std::string& key, std::optional<
 
 }  // namespace
 
+double ParseGravity(const JsonNode& trial, Findings* findings) {
+  const double gravity = PositiveNumberOr(trial, "gravity_m_s2", kGravity, "m/s^2", findings);
+  if (gravity < 9.75 || gravity > 9.85)
+    trial.At("gravity_m_s2")
+        .Fail("is " + Shortest(gravity) + "; expected 9.78 at the equator to 9.83 at the poles");
+  return gravity;
+}
+
 std::vector<Interval> ParseIntervals(const JsonNode& trial, const Interval& covered,
                                      Findings* findings) {
   std::vector<Interval> intervals;

@@ -12,6 +12,9 @@ namespace brachium {
 
 // The labelled intervals; a label that no method knows, and an interval outside of `covered`, is a
 // warning.
+// Gravity where the trial was recorded [m/s^2].
+double ParseGravity(const JsonNode& trial, Findings* findings);
+
 std::vector<Interval> ParseIntervals(const JsonNode& trial, const Interval& covered,
                                      Findings* findings);
 

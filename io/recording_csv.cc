@@ -66,14 +66,14 @@ std::vector<Eigen::Vector3d> Vectors(const UsableRows& usable,
 }
 
 std::vector<Eigen::Quaterniond> Rotations(const UsableRows& usable, const Columns& c,
-                                          const std::string& file) {
+                                          const CsvTable& table) {
   std::vector<Eigen::Quaterniond> rotations;
   if (c.empty()) return rotations;
   rotations.reserve(usable.rows.size());
   for (const std::size_t row : usable.rows) {
     const Eigen::Quaterniond q_WS((*c[0])[row], (*c[1])[row], (*c[2])[row], (*c[3])[row]);
     if (!(std::abs(q_WS.norm() - 1.0) <= kUnitNormTolerance))
-      throw InputError(file, CsvTable::Line(row),
+      throw InputError(table.file, table.Line(row),
                        "q_w, q_x, q_y, q_z have the norm " + Fixed(q_WS.norm(), 4) +
                            "; expected a unit quaternion");
     rotations.push_back(q_WS.normalized());
@@ -124,6 +124,11 @@ RecordingFile ParseRecording(std::string_view text, const std::string& file,
     return std::ranges::find(known, column) != known.end();
   });
   WarnOfUnknownColumns(table, known, name, findings);
+  return MakeRecording(table, name, segment, findings);
+}
+
+RecordingFile MakeRecording(const CsvTable& table, const std::string& name, Segment segment,
+                            Findings* findings) {
   const Columns required = Find(table, kRequired);
   const Columns magnetometer = FindOptional(table, kMagnetometer, name, findings);
   const Columns orientation = FindOptional(table, kOrientation, name, findings);
@@ -137,10 +142,10 @@ RecordingFile ParseRecording(std::string_view text, const std::string& file,
   recording.gyr_S = Vectors(usable, std::span(required).subspan(1, 3));
   recording.acc_S = Vectors(usable, std::span(required).subspan(4, 3));
   recording.mag_S = Vectors(usable, magnetometer);
-  recording.q_WS = Rotations(usable, orientation, file);
+  recording.q_WS = Rotations(usable, orientation, table);
   const Steps steps = MeasureSteps(recording.time);
-  CheckStepUnit(steps, file);
-  CheckSensorUnits(recording, file, name, findings);
+  CheckStepUnit(steps, table.file);
+  CheckSensorUnits(recording, table.file, name, findings);
   ReportRows(table, usable, steps, name, findings);
   result.facts = Facts(recording, steps, usable, table, name);
   return result;

@@ -40,4 +40,11 @@ struct RecordingFile {
 RecordingFile ParseRecording(std::string_view text, const std::string& file,
                              const std::string& name, Segment segment, Findings* findings);
 
+// The same of a table whose columns have these names and units already.
+RecordingFile MakeRecording(const CsvTable& table, const std::string& name, Segment segment,
+                            Findings* findings);
+
+// Writes the table that ParseRecording reads. Throws OutputError.
+void WriteRecording(const Recording& recording, const std::string& file);
+
 }  // namespace brachium

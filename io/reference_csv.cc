@@ -9,6 +9,7 @@
 
 #include "io/clock.h"
 #include "io/csv.h"
+#include "io/formats/motion_table.h"
 #include "io/input_error.h"
 #include "io/json_defaults.h"
 #include "io/mounting_json.h"
@@ -103,7 +104,7 @@ class ReferenceReader {
     const double norm = q_VB.norm();
     if (!std::isfinite(norm)) return Eigen::Quaterniond(kNaN, kNaN, kNaN, kNaN);
     if (std::abs(norm - 1.0) > kUnitNormTolerance)
-      throw InputError(table_.file, CsvTable::Line(row),
+      throw InputError(table_.file, table_.Line(row),
                        InFile(name) + "_qw.._qz have the norm " + Fixed(norm, 4) +
                            "; expected a unit quaternion, or empty cells for a gap");
     return entry_.up_is_y ? ZUpFromYUp() * q_VB.normalized() : q_VB.normalized();
@@ -218,7 +219,7 @@ ReferenceEntry ParseReferenceEntry(const JsonNode& node, Findings* findings) {
 ReferenceFile ParseReference(std::string_view text, const std::string& file,
                              const ReferenceEntry& entry, const std::set<Segment>& recorded,
                              Findings* findings) {
-  const CsvTable table = ParseCsv(text, file, WantedColumns(entry));
+  const CsvTable table = ParseMotion(text, file, WantedColumns(entry));
   const ReferenceReader reader(table, entry);
   CheckMappedNames(reader, entry, table);
   ReferenceFile result;

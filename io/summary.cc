@@ -50,6 +50,27 @@ Json Epochs(const Diagnostics& diagnostics) {
   return json;
 }
 
+Json InDegrees(const std::vector<double>& radians) {
+  Json json = Json::array();
+  for (const double angle : radians) json.push_back(angle / kDegree);
+  return json;
+}
+
+// Infinity, where a relation tells nothing, becomes null.
+Json Headings(const Diagnostics& diagnostics) {
+  Json json = Json::array();
+  for (const HeadingSupport& support : diagnostics.headings) {
+    Json by = Json::object();
+    for (const auto& [kind, sd] : support.sd_by) by[kind] = InDegrees(sd);
+    json.push_back({{"segment", Name(support.segment)},
+                    {"against", Name(support.against)},
+                    {"time_s", support.time},
+                    {"sd_deg", InDegrees(support.sd)},
+                    {"sd_by_deg", by}});
+  }
+  return json;
+}
+
 Json Figures(const Diagnostics& diagnostics) {
   Json json = Json::object();
   for (const Figure& figure : diagnostics.figures) json[figure.name] = figure.value;
@@ -134,6 +155,7 @@ Json SummaryOf(const Estimate& estimate, const RunInfo& run) {
           {"constants", Constants(diagnostics)},
           {"rests", Rests(diagnostics)},
           {"epochs", Epochs(diagnostics)},
+          {"headings", Headings(diagnostics)},
           {"figures", Figures(diagnostics)},
           {"held_by_prior", diagnostics.held_by_prior},
           {"notes", diagnostics.notes},

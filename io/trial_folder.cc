@@ -8,11 +8,13 @@
 
 #include "io/arm_json.h"
 #include "io/file_bytes.h"
+#include "io/formats/read_export.h"
 #include "io/input_error.h"
 #include "io/json_input.h"
 #include "io/mounting_json.h"
 #include "io/protocol_json.h"
 #include "io/text.h"
+#include "io/trial_checks.h"
 
 namespace brachium {
 namespace {
@@ -20,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kVersion = 1;
-constexpr std::array<std::string_view, 9> kTrialKeys = {
-    "brachium_trial", "name",      "arm",       "recordings", "intervals",
-    "start_pose",     "reference", "simulated", "calibration"};
-constexpr std::array<std::string_view, 5> kRecordingKeys = {"segment", "file", "format", "mounting",
-                                                            "noise"};
+constexpr std::array<std::string_view, 11> kTrialKeys = {
+    "brachium_trial", "name",      "arm",         "recordings", "intervals",   "start_pose",
+    "reference",      "simulated", "calibration", "imported",   "gravity_m_s2"};
+constexpr std::array<std::string_view, 7> kRecordingKeys = {
+    "segment", "file", "format", "mounting", "noise", "rate_hz", "sensor"};
 
 // One entry of `recordings`, before its file is read.
 struct Entry {
@@ -82,12 +84,14 @@ class Reader {
     recorded_ = SegmentsOf(entries_);
     CheckChain(root_.At("recordings"), recorded_);
     Observations& observations = result_.trial.observations;
+    observations.gravity = ParseGravity(root_, &result_);
     observations.arm = ParseArm(root_.At("arm"), recorded_, &result_);
     for (const Entry& entry : entries_) ReadRecording(entry);
     const Interval common = CommonTime();
     observations.intervals = ParseIntervals(root_, common, &result_);
     observations.start_pose = ParseStartPose(root_, common, &result_);
     if (const auto reference = root_.Find("reference")) ReadReference(*reference, common);
+    CheckTrial(observations, &result_);
     return std::move(result_);
   }
 
@@ -116,11 +120,25 @@ class Reader {
     return file.Text();
   }
 
-  void CheckFormat(const JsonNode& node) {
+  // The export format of a recording; none: the program's own csv.
+  const ExportFormat* FormatOf(const JsonNode& node) const {
     const auto format = node.Find("format");
-    if (format && format->Text() != "csv")
-      format->Fail("is '" + format->Text() +
-                   "'; expected csv (brachium import turns other formats into it)");
+    if (!format || format->Text() == "csv") return nullptr;
+    if (const ExportFormat* const found = FindExportFormat(format->Text())) return found;
+    std::vector<std::string_view> names = {"csv"};
+    for (const ExportFormat& known : ExportFormats()) names.push_back(known.name);
+    format->Fail("is '" + format->Text() + "'; expected one of " + Listed(names));
+  }
+
+  RecordingFile ParseFile(const Entry& entry, const ExportFile& file) {
+    const ExportFormat* const format = FormatOf(entry.node);
+    if (format == nullptr)
+      return ParseRecording(file.text, file.path, file.name, entry.segment, &result_);
+    const auto rate = entry.node.Find("rate_hz");
+    clock_.rate_hz = rate ? std::optional(rate->Number()) : std::nullopt;
+    const auto sensor = entry.node.Find("sensor");
+    return ReadExport(*format, file, sensor ? sensor->Text() : "", entry.segment, &clock_,
+                      &result_);
   }
 
   std::optional<Mounting> MountingOf(const Entry& entry) {
@@ -134,12 +152,11 @@ class Reader {
   }
 
   void ReadRecording(const Entry& entry) {
-    CheckFormat(entry.node);
     const std::string name = FileOf(entry.node);
     const std::string file = InFolder(name);
     const FileBytes bytes(file);
     result_.inputs.push_back({name, Sha256(bytes.text())});
-    RecordingFile read = ParseRecording(bytes.text(), file, name, entry.segment, &result_);
+    RecordingFile read = ParseFile(entry, {.path = file, .name = name, .text = bytes.text()});
     read.recording.noise = ParseNoise(entry.node, &result_);
     read.recording.mounting = MountingOf(entry);
     result_.trial.observations.recordings.push_back(std::move(read.recording));
@@ -185,6 +202,7 @@ class Reader {
   const JsonNode root_;
   std::vector<Entry> entries_;
   std::set<Segment> recorded_;
+  ExportClock clock_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "io/csv.h"
+#include "io/csv_columns.h"
 #include "io/output_folder.h"
 #include "io/trial_folder.h"
 
@@ -88,6 +88,7 @@ Json ToJson(const Trial& trial, bool simulated) {
   const Observations& observations = trial.observations;
   Json json = {{"brachium_trial", 1}, {"name", trial.name}};
   if (simulated) json["simulated"] = true;
+  json["gravity_m_s2"] = observations.gravity;
   json["arm"] = ToJson(observations.arm);
   for (const Recording& recording : observations.recordings)
     json["recordings"].push_back(ToJson(recording));
@@ -97,29 +98,6 @@ Json ToJson(const Trial& trial, bool simulated) {
   if (observations.start_pose) json["start_pose"] = ToJson(*observations.start_pose);
   if (trial.reference) json["reference"] = ToJson(*trial.reference);
   return json;
-}
-
-void AddVector(const std::string& name, const std::vector<Eigen::Vector3d>& vectors,
-               std::vector<CsvColumn>* columns) {
-  for (int axis = 0; axis < 3 && !vectors.empty(); ++axis)
-    columns->push_back({name + "xyz"[axis], vectors[0].data() + axis, 3});
-}
-
-void AddRotation(const std::string& name, const std::vector<Eigen::Quaterniond>& rotations,
-                 std::vector<CsvColumn>* columns) {
-  if (rotations.empty()) return;
-  const double* const xyzw = rotations[0].coeffs().data();
-  columns->push_back({name + "w", xyzw + 3, 4});
-  for (int axis = 0; axis < 3; ++axis) columns->push_back({name + "xyz"[axis], xyzw + axis, 4});
-}
-
-void WriteRecording(const Recording& recording, const std::string& file) {
-  std::vector<CsvColumn> columns = {{"time_s", recording.time.data(), 1}};
-  AddVector("gyr_", recording.gyr_S, &columns);
-  AddVector("acc_", recording.acc_S, &columns);
-  AddVector("mag_", recording.mag_S, &columns);
-  AddRotation("q_", recording.q_WS, &columns);
-  WriteCsv(file, recording.size(), columns);
 }
 
 void WriteReference(const Reference& reference, const std::string& file) {

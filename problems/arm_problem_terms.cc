@@ -127,7 +127,8 @@ std::unique_ptr<TangentCost> ArmProblem::MakeAccelerometer(int knot, int sensor)
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   const double alpha =
       timeline_.NodeFraction(0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]));
-  return std::unique_ptr<TangentCost>(MakeCost(Accelerometer(interval, q_BS, alpha, whitening)));
+  return std::unique_ptr<TangentCost>(
+      MakeCost(Accelerometer(interval, q_BS, alpha, observations_.gravity, whitening)));
 }
 
 void ArmProblem::AddAccelerometer(int knot, int sensor) {

@@ -37,6 +37,17 @@ struct Epoch {
   double end = 0.0;    // [s]
 };
 
+// What held the heading of a segment against that of the one before it in the arm, by equal spans of
+// the trial.
+struct HeadingSupport {
+  Segment segment = Segment::kForearm, against = Segment::kUpperArm;
+  std::vector<double> time;  // middles of the spans [s]
+  std::vector<double> sd;    // greatest in the span [rad]
+  // By kind of residual, where it brings any: what it alone would hold the heading to by what
+  // happens in the span; infinite where nothing does [rad].
+  std::map<std::string, std::vector<double>> sd_by;
+};
+
 // A number that describes the run, named: "knots", "windows", "start_heading_deg", ...
 struct Figure {
   std::string name;
@@ -55,6 +66,7 @@ struct Diagnostics {
   std::vector<Constant> constants;
   std::vector<Rest> rests;
   std::vector<Epoch> epochs;
+  std::vector<HeadingSupport> headings;
   std::vector<Figure> figures;
   std::vector<std::string>
       held_by_prior;               // unknowns that the data did not inform, one sentence each

@@ -31,6 +31,7 @@ struct Observations {
   std::vector<Recording> recordings;  // each segment at most once; the first one's clock rules
   std::vector<Interval> intervals;
   std::optional<StartPose> start_pose;
+  double gravity = kGravity;  // where it was recorded; on Earth 9.78 to 9.83 [m/s^2]
 };
 
 }  // namespace brachium

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "problems/rotation.h"
+#include "problems/saturation.h"
 
 namespace brachium {
 namespace {
@@ -43,22 +44,25 @@ Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPerio
   const double period = period_;
   const std::size_t n = recording.size();
   const auto push = [this](double begin, double centre, const Vector3d& gyr, const Vector3d& acc,
-                           bool gap) {
+                           double gap) {
+    const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
+    const double force_error = std::min(kForceCurvature * gap * gap, kForceLimit);
     edges_.push_back(begin);
     centres_.push_back(centre);
     gyr_.push_back(gyr);
     acc_.push_back(acc);
-    is_gap_.push_back(gap);
+    gyro_unknown_.push_back(rate_error * rate_error * gap);
+    accel_unknown_.push_back(force_error * force_error * gap);
   };
   double begin = recording.time[0] - period / 2;
   for (std::size_t i = 0; i < n; ++i) {
-    push(begin, recording.time[i], recording.gyr_S[i], recording.acc_S[i], false);
+    push(begin, recording.time[i], recording.gyr_S[i], recording.acc_S[i], 0.0);
     if (i + 1 == n) break;
     const double step = recording.time[i + 1] - recording.time[i];
     begin = recording.time[i] + step / 2;
     if (step <= kGapFactor * period) continue;
     push(recording.time[i] + period / 2, begin, 0.5 * (recording.gyr_S[i] + recording.gyr_S[i + 1]),
-         0.5 * (recording.acc_S[i] + recording.acc_S[i + 1]), true);
+         0.5 * (recording.acc_S[i] + recording.acc_S[i + 1]), step - period);
     begin = recording.time[i + 1] - period / 2;
   }
   edges_.push_back(recording.time[n - 1] + period / 2);
@@ -69,6 +73,23 @@ Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPerio
     gyr_slope_.push_back((gyr_[after] - gyr_[before]) / span);
     acc_slope_.push_back((acc_[after] - acc_[before]) / span);
   }
+  DoubtSaturated(recording);
+}
+
+// The hidden excess is one number for a whole run: its variance grows with the run's length squared.
+void Preintegrator::DoubtSaturated(const Recording& recording) {
+  const auto doubt = [&](const std::vector<Vector3d>& samples, double least,
+                         std::vector<double>& unknown) {
+    for (const SaturatedRun& run : FindSaturatedRuns(samples, least)) {
+      const double excess = HiddenExcess(recording.time, samples, run);
+      const std::size_t first = CellAt(recording.time[run.first]);
+      const std::size_t last = CellAt(recording.time[run.last - 1]);
+      const double density = excess * excess * (edges_[last + 1] - edges_[first]);
+      for (std::size_t cell = first; cell <= last; ++cell) unknown[cell] += density;
+    }
+  };
+  doubt(recording.gyr_S, kSmallestGyroRange, gyro_unknown_);
+  doubt(recording.acc_S, kSmallestAccelRange, accel_unknown_);
 }
 
 // The part of a cell inside [start, end], its values moved along the slope to the part's centre.
@@ -84,13 +105,6 @@ std::size_t Preintegrator::CellAt(double time) const {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0));
 }
 
-// Of a length h of a cell without a sample.
-double Preintegrator::GyroGapVariance(std::size_t cell, double h) const {
-  const double gap = edges_[cell + 1] - edges_[cell];
-  const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
-  return rate_error * rate_error * h * gap;
-}
-
 Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias) const {
   Turned turned;
   turned.duration = end - start;
@@ -100,7 +114,7 @@ Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias) 
     const PartTurn turn(cell.h, cell.w - gyro_bias, cell.w_slope);
     turned.dR_dbg = turn.R_back * turned.dR_dbg - turn.J;
     turned.dq = (turned.dq * turn.dq).normalized();
-    if (is_gap_[i]) turned.gyro_gap_variance += GyroGapVariance(i, cell.h);
+    turned.gyro_gap_variance += gyro_unknown_[i] * cell.h;
   }
   return turned;
 }
@@ -146,12 +160,8 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     const double spread = w_slope.norm() + w_squared;
     sum.rate_squared += w_squared * h;
     sum.force_spread += spread * spread * h;
-    if (is_gap_[i]) {
-      const double gap = edges_[i + 1] - edges_[i];
-      const double force_error = std::min(kForceCurvature * gap * gap, kForceLimit);
-      sum.gyro_gap_variance += GyroGapVariance(i, h);
-      sum.accel_gap_variance += force_error * force_error * h * gap;
-    }
+    sum.gyro_gap_variance += gyro_unknown_[i] * h;
+    sum.accel_gap_variance += accel_unknown_[i] * h;
   }
   return sum;
 }

@@ -39,8 +39,9 @@ struct Preintegrated {
   // What the weights are made of: integrals over the interval.
   double rate_squared = 0.0;  // of |w|² [rad²/s]
   double force_spread = 0.0;  // of (|w'| + |w|²)² [1/s³]: times a lever arm squared, (m/s²)² s
-  double gyro_gap_variance = 0.0;   // [rad²] that missing samples add to dR, per axis
-  double accel_gap_variance = 0.0;  // [m²/s²] that missing samples add to dv, per axis
+  double gyro_gap_variance =
+      0.0;  // [rad²] that samples which are missing or out of range add to dR
+  double accel_gap_variance = 0.0;  // [m²/s²] the same of dv; both per axis
 };
 
 // The attitude's part alone.
@@ -74,12 +75,15 @@ class Preintegrator {
   struct Cell;
   Cell Clip(std::size_t cell, double start, double end) const;
   std::size_t CellAt(double time) const;
-  double GyroGapVariance(std::size_t cell, double h) const;
+  void DoubtSaturated(const Recording& recording);
 
   double period_;
   std::vector<double> edges_;  // cell i lies between edges i and i+1
   std::vector<double> centres_;
-  std::vector<bool> is_gap_;  // no sample here: the mean of the neighbours stands in
+  // What is not known of a cell, as densities: where there is no sample and the mean of the
+  // neighbours stands in, and where the sensor was out of its range.
+  std::vector<double> gyro_unknown_;   // [rad²/s]
+  std::vector<double> accel_unknown_;  // [m²/s³]
   std::vector<Eigen::Vector3d> gyr_, acc_, gyr_slope_, acc_slope_;
 };
 

@@ -5,6 +5,7 @@
 #include "solver/covariance.h"
 #include "solver/diagnosis.h"
 #include "solver/least_squares.h"
+#include "solver/observability.h"
 #include "solver/stage_clock.h"
 #include "solver/standard_deviations.h"
 #include "solver/trajectory.h"
@@ -15,7 +16,9 @@
 namespace brachium {
 namespace {
 
-Observations ProximalToDistal(Observations observations) {
+// From proximal to distal, with what the options say otherwise than the trial.
+Observations Prepared(Observations observations, const SmootherOptions& options) {
+  if (options.shoulder_sigma_m > 0.0) observations.arm.shoulder.sigma = options.shoulder_sigma_m;
   std::stable_sort(observations.recordings.begin(), observations.recordings.end(),
                    [](const Recording& a, const Recording& b) { return a.segment < b.segment; });
   return observations;
@@ -44,6 +47,7 @@ bool SmootherOptions::IsValid(std::string* why) const {
   if (weight_iterations < 0) return *why = "weight_iterations must not be negative", false;
   if (!SolverNamed(solver)) return *why = "solver must be chain or ceres", false;
   if (threads < 1) return *why = "threads must be at least 1", false;
+  if (!(shoulder_sigma_m >= 0.0)) return *why = "shoulder_sigma_m must not be negative", false;
   return model.IsValid(why);
 }
 
@@ -60,7 +64,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   Diagnostics& diagnostics = estimate.diagnostics;
   const auto stage = [&](const char* name) { estimate.timing.push_back({name, watch.Lap()}); };
 
-  ArmProblem problem(ProximalToDistal(observations), options_.model, options_.knot_spacing_s);
+  ArmProblem problem(Prepared(observations, options_), options_.model, options_.knot_spacing_s);
   stage("preintegration");
 
   const SolverKind solver = SolverNamed(options_.solver).value();
@@ -103,6 +107,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     PoseCovariance poses(problem, state);
     certainty = AssessCertainty(problem, state, &workspace, &poses);
     FillStandardDeviations(problem, poses, estimate);
+    diagnostics.headings = DescribeHeadings(problem, state, poses);
     stage("covariance");
   } else {
     certainty.singular = FindSingular(problem, state, workspace);
@@ -112,6 +117,8 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   diagnostics.constants = DescribeConstants(problem, state, certainty);
   if (options_.covariance) diagnostics.held_by_prior = HeldByPrior(problem, certainty);
   diagnostics.notes = FarFromTold(problem, state);
+  for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
+    diagnostics.notes.push_back(note);
   diagnostics.rests = DescribeRests(problem);
   diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},
                          {"windows", static_cast<double>(windows.windows)},

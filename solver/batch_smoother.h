@@ -18,6 +18,7 @@ struct SmootherOptions {
   bool covariance = true;
   std::string solver = "chain";
   int threads = 1;
+  double shoulder_sigma_m = 0.0;
   ModelOptions model;
 
   bool IsValid(std::string* why) const;
@@ -46,6 +47,10 @@ struct SmootherOptions {
     visit("threads", options.threads,
           "Threads of one solve by ceres; the chain takes one. The answer depends on their number "
           "in the last digits.");
+    visit(
+        "shoulder_sigma_m", options.shoulder_sigma_m,
+        "How far the shoulder strays from its mean place, per axis [m]; 0: as the trial says. Less "
+        "holds the arm's place better, and takes a shrug for something else.");
     ModelOptions::Visit(options.model, visit);
   }
 };

@@ -89,7 +89,7 @@ void TurnFirstKnot(State& state, int sensor, double heading) {
 }
 
 void DeadReckon(const ArmProblem& problem, State& state, int from, int to) {
-  const Vector3d gravity(0, 0, -kGravity);
+  const Vector3d gravity(0, 0, -problem.observations().gravity);
   for (int knot = from; knot < to; ++knot) {
     for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
       const Preintegrated& interval = problem.Interval(knot, sensor);

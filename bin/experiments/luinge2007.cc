@@ -91,7 +91,7 @@ double Rmse(const ExperimentResults& results, const std::string& trial, const st
 // Of the forearm in the upper arm, if each sensor's attitude were known exactly.
 double LeastRmse(const SimulatedTrial& trial) {
   const auto& reference = trial.trial.reference->q_VB;
-  const auto& known = trial.q_VB_by_sensors;
+  const auto& known = trial.sensors_q_VB;
   std::vector<double> errors;
   for (std::size_t i = 0; i < trial.trial.reference->time.size(); ++i) {
     const auto elbow = [i](const auto& q_VB) {
@@ -244,6 +244,12 @@ std::vector<std::string> Routines(bool quick) {
 
 ExperimentPlan PlanLuinge2007(bool quick) {
   ExperimentPlan plan;
+  ExperimentTrial calibration{
+      .name = kCalibrationTrial, .movement = {}, .errors = HonestErrors(MtxNoise())};
+  calibration.movement.name = "calibration";
+  calibration.movement.duration = UsualDuration(calibration.movement);
+  calibration.errors.tell_mountings = false;
+  plan.trials.push_back(calibration);
   for (const std::string& trial : TrialNames(quick)) {
     plan.trials.push_back(TrialOf(trial, 1));
     for (const double sigma : SmootherSigmasDeg(quick)) AddSmoother(trial, sigma, plan);

@@ -14,6 +14,8 @@ inline constexpr double kPaperSigma = 10.0;  // sqrt(R) of Figs 4 and 5 [deg]
 inline const std::string kFree = "luinge_unconstrained", kTied = "luinge", kSmoother = "smoother";
 inline const std::string kOn = "_switched_on";  // without biases from rests
 
+inline const std::string kCalibrationTrial = "calibration";
+
 double DefaultSigmaDeg();  // of the smoother's adduction
 std::vector<std::string> Routines(bool quick);
 

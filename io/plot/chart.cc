@@ -233,4 +233,14 @@ std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size) 
   return svg.Document();
 }
 
+std::string DrawColumns(const std::vector<std::vector<Chart>>& columns, const ChartSize& size) {
+  std::size_t most = 0;
+  for (const auto& charts : columns) most = std::max(most, charts.size());
+  Svg svg(size.width * static_cast<double>(columns.size()),
+          size.height * static_cast<double>(most));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    svg.Picture({size.width * static_cast<double>(i), 0.0}, DrawCharts(columns[i], size));
+  return svg.Document();
+}
+
 }  // namespace brachium

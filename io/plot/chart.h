@@ -72,4 +72,7 @@ struct ChartSize {
 // Charts below one another, as wide as each other, as one SVG document.
 std::string DrawCharts(const std::vector<Chart>& charts, const ChartSize& size = {});
 
+// Several such columns beside one another, each as wide as `size` says.
+std::string DrawColumns(const std::vector<std::vector<Chart>>& columns, const ChartSize& size);
+
 }  // namespace brachium

@@ -101,7 +101,13 @@ void Svg::Text(const Pixel& place, std::string_view text, const TextStyle& style
   if (style.turned_deg != 0.0)
     body_ += Attribute("transform", "rotate(" + Number(style.turned_deg) + " " + Number(place.x) +
                                         " " + Number(place.y) + ")");
-  body_ += ">" + EscapedXml(text) + "</text>\n";
+  body_.append(">").append(EscapedXml(text)).append("</text>\n");
+}
+
+void Svg::Picture(const Pixel& corner, const std::string& document) {
+  constexpr std::string_view kTag = "<svg";
+  body_ += std::string(kTag) + Attribute("x", corner.x) + Attribute("y", corner.y) +
+           document.substr(kTag.size());
 }
 
 void Svg::BeginClip(const Pixel& corner, double width, double height) {

@@ -45,6 +45,9 @@ class Svg {
   void Circle(const Pixel& centre, double radius, const Fill& fill);
   void Text(const Pixel& place, std::string_view text, const TextStyle& style);
 
+  // Another document, in its own size, with its upper left corner at that place.
+  void Picture(const Pixel& corner, const std::string& document);
+
   // What is drawn up to EndClip() is cut at this frame; its coordinates stay the same.
   void BeginClip(const Pixel& corner, double width, double height);
   void EndClip();

@@ -4,7 +4,7 @@
 //   r_p = R_kᵀ (P_k+1 - P_k - v_k D - g D²/2) - dp(b, a, s)
 //   r   = W [r_v; r_p],   Wᵀ W = (C ⊗ I₃)⁻¹
 //
-// Frames    W world (z up, g = (0, 0, -9.81)), B the segment that wears the sensor, S sensor.
+// Frames    W world (z up, g = (0, 0, -gravity)), B the segment that wears the sensor, S sensor.
 // Unknowns  q_WB at k; P_k, P_k+1, v_k, v_k+1: place [m] and velocity [m/s] of the sensor in W; gyro
 //           bias at the two nodes about the interval [rad/s]; accelerometer bias a [m/s²]; scale
 //           errors s of gyroscope and accelerometer [1].
@@ -29,18 +29,18 @@ class Accelerometer {
   // q_WB, P_k, P_k+1, v_k, v_k+1, gyro biases and scale, accelerometer bias and scale
   using Blocks = std::integer_sequence<int, 4, 3, 3, 3, 3, 3, 3, 3, 3, 3>;
 
-  // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1.
+  // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1. `gravity` [m/s²].
   Accelerometer(const Preintegrated& interval, const Eigen::Quaterniond& q_BS, double alpha,
-                const Whitening2& whitening)
-      : interval_(interval), q_BS_(q_BS), alpha_(alpha), whitening_(whitening) {}
+                double gravity, const Whitening2& whitening)
+      : interval_(interval), q_BS_(q_BS), alpha_(alpha), gravity_(gravity), whitening_(whitening) {}
 
   template <typename T>
   void operator()(const T* const* x, T* r) const {
     const double D = interval_.duration;
     Vector3T<T> u_v = Vector<T>(x[4]) - Vector<T>(x[3]);
     Vector3T<T> u_p = Vector<T>(x[2]) - Vector<T>(x[1]) - T(D) * Vector<T>(x[3]);
-    u_v.z() += T(kGravity * D);
-    u_p.z() += T(kGravity * D * D / 2);
+    u_v.z() += T(gravity_ * D);
+    u_p.z() += T(gravity_ * D * D / 2);
     const Eigen::Quaternion<T> q_WB = Eigen::Map<const Eigen::Quaternion<T>>(x[0]);
     const Eigen::Quaternion<T> q_SW = (q_WB * q_BS_.cast<T>()).conjugate();
     const Vector3T<T> bias = T(1 - alpha_) * Vector<T>(x[5]) + T(alpha_) * Vector<T>(x[6]) -
@@ -63,8 +63,8 @@ class Accelerometer {
     const Eigen::Matrix3d R_SW = R_SB * R_BW, zero = Eigen::Matrix3d::Zero();
     Eigen::Vector3d u_v = Vector<double>(x[4]) - Vector<double>(x[3]);
     Eigen::Vector3d u_p = Vector<double>(x[2]) - Vector<double>(x[1]) - D * Vector<double>(x[3]);
-    u_v.z() += kGravity * D;
-    u_p.z() += kGravity * D * D / 2;
+    u_v.z() += gravity_ * D;
+    u_p.z() += gravity_ * D * D / 2;
     Store(J[0], R_SB * Skew<double>(R_BW * u_v), R_SB * Skew<double>(R_BW * u_p));
     Store(J[1], zero, -R_SW);
     Store(J[2], zero, R_SW);
@@ -90,6 +90,7 @@ class Accelerometer {
   Preintegrated interval_;
   Eigen::Quaterniond q_BS_;
   double alpha_;
+  double gravity_;
   Whitening2 whitening_;
 };
 

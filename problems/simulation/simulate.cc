@@ -231,7 +231,7 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
     trial = Mirrored(trial);
     by_sensors = Mirrored(by_sensors);
   }
-  simulated.q_VB_by_sensors = std::move(by_sensors.reference->q_VB);
+  simulated.sensors_q_VB = std::move(by_sensors.reference->q_VB);
   AddArmTruth(right, options, time, left, simulated.truth);
   for (const SensorTruth& sensor : sensors)
     AddSensorTruth(left ? Mirrored(sensor) : sensor, simulated.truth);

@@ -21,7 +21,7 @@ struct SimulatedTrial {
   // What sensors whose attitudes were known exactly would say of their segments, through the told
   // mountings, at the reference's times: off the reference by mounting, skin and markers, which no
   // method can tell. An empty list where a mounting is not told.
-  std::map<Segment, std::vector<Eigen::Quaterniond>> q_VB_by_sensors;
+  std::map<Segment, std::vector<Eigen::Quaterniond>> sensors_q_VB;
 
   // The value of that name; absent names are the programmer's mistake and throw std::out_of_range.
   const std::vector<double>& True(const std::string& name) const;

@@ -28,14 +28,14 @@ struct Path {
   std::vector<Vector3d> a_W;
 };
 
-Path PathOf(const Recording& recording, const Estimate& estimate) {
+Path PathOf(const Recording& recording, const Estimate& estimate, double gravity) {
   const auto& q_WB = estimate.q_WB.at(recording.segment);
   Path path;
   for (std::size_t i = 0; i < recording.size(); ++i) {
     if (!q_WB[i].coeffs().allFinite()) continue;
     path.time.push_back(recording.time[i]);
     path.q_WB.push_back(q_WB[i]);
-    path.a_W.push_back(q_WB[i] * recording.acc_S[i] - kGravity * Vector3d::UnitZ());
+    path.a_W.push_back(q_WB[i] * recording.acc_S[i] - gravity * Vector3d::UnitZ());
   }
   return path;
 }
@@ -70,7 +70,7 @@ Estimate BaiDeadReckoning::Run(const Observations& observations, const Progress&
   const Recording& recording = tracks.segments.front().recording;
   estimate.diagnostics.epochs = DetectEpochs(tracks, tracks.segments.front(), options_.epochs);
 
-  const Path path = PathOf(recording, estimate);
+  const Path path = PathOf(recording, estimate, observations.gravity);
   std::vector<Vector3d> v_W = IntegrateOnce(path.time, path.a_W);
   if (updates_) UpdateZeroVelocity(path.time, estimate.diagnostics.epochs, v_W);
   std::vector<Vector3d> p_W = IntegrateOnce(path.time, v_W);

@@ -35,8 +35,9 @@ namespace brachium {
 // The acceleration of a segment as a first-order process. The paper's figures are not established;
 // these are ours, see luinge.h.
 struct AccelerationModel {
-  double cutoff_hz = 0.0;  // f
-  double sigma = 0.0;      // σ_a per axis [m/s²]
+  double cutoff_hz = 0.0;     // f
+  double sigma = 0.0;         // σ_a per axis [m/s²]
+  double gravity = kGravity;  // [m/s²]
 };
 
 template <int kSegments>
@@ -169,13 +170,13 @@ class InclinationFilter {
     const Eigen::Matrix<double, 3, 2> B_W = R * B;
     const Eigen::Matrix2d noise =
         (B_W.transpose() * a.P_W * B_W + s_squared * Eigen::Matrix2d::Identity()) /
-        (kGravity * kGravity);
+        (model_.gravity * model_.gravity);
     Correct<2>(B.transpose() * (Z_A - Z_G), H, noise);
 
     const Eigen::Matrix3d R_WB = state_.q_WB[segment].toRotationMatrix();
     const Eigen::Matrix3d tilt =
-        kGravity * R_WB * Skew<double>(Eigen::Vector3d(R_WB.row(2).transpose()));
-    a.value_W = R_WB * y - kGravity * Eigen::Vector3d::UnitZ();
+        model_.gravity * R_WB * Skew<double>(Eigen::Vector3d(R_WB.row(2).transpose()));
+    a.value_W = R_WB * y - model_.gravity * Eigen::Vector3d::UnitZ();
     const auto row = static_cast<Eigen::Index>(6 * segment);
     a.P_W = tilt * state_.P.template block<3, 3>(row, row) * tilt.transpose() +
             s_squared * Eigen::Matrix3d::Identity();

@@ -21,8 +21,8 @@ struct Expectation {
   double variance = 0.0;
 };
 
-AccelerationModel ModelOf(const LuingeUnconstrainedOptions& options) {
-  return {options.luinge_acceleration_cutoff_hz, options.luinge_acceleration_sigma_m_s2};
+AccelerationModel ModelOf(const LuingeUnconstrainedOptions& options, double gravity) {
+  return {options.luinge_acceleration_cutoff_hz, options.luinge_acceleration_sigma_m_s2, gravity};
 }
 
 void AddDeviations(const Tracks& tracks, Estimate& estimate) {
@@ -178,7 +178,7 @@ Estimate FilterEachSegment(const std::string& method, const Observations& observ
   if (north) estimate.diagnostics.notes.push_back("the headings are the magnetometers'");
   for (const Track& track : tracks.segments)
     FilterSegments<1>(
-        {&track}, ModelOf(options), tracks, false,
+        {&track}, ModelOf(options, tracks.gravity), tracks, false,
         [&](const Instant<1>& instant, InclinationFilter<1>& filter) {
           if (!north || instant.samples[0] == kNoSample) return;
           const auto sample = static_cast<std::size_t>(instant.samples[0]);
@@ -203,7 +203,7 @@ Estimate Luinge::Run(const Observations& observations, const Progress&) const {
   Estimate estimate = BlankEstimate(smooths_ ? "luinge_rts" : "luinge", observations, tracks);
   AddDeviations(tracks, estimate);
   estimate.timing.push_back({"start", clock.Lap()});
-  const AccelerationModel model = ModelOf(options_.filter);
+  const AccelerationModel model = ModelOf(options_.filter, tracks.gravity);
   const double sigma = options_.luinge_adduction_sigma_deg * kDegree;
   Expectation expected{.variance = sigma * sigma};
   if (options_.luinge_expects_carrying_angle)

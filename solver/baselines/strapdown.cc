@@ -9,7 +9,7 @@ using Eigen::Quaterniond, Eigen::Vector3d;
 FreeMotion IntegrateFreely(const Preintegrator& samples, const FreeStart& start, double end,
                            const std::vector<double>& times) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const Vector3d g_W(0.0, 0.0, -kGravity);
+  const Vector3d g_W(0.0, 0.0, -start.gravity);
   FreeMotion motion;
   motion.q_WB.assign(times.size(), Quaterniond(kNaN, kNaN, kNaN, kNaN));
   motion.p_W.assign(times.size(), Vector3d::Constant(kNaN));

@@ -13,6 +13,7 @@ struct FreeStart {
   double time = 0.0;  // [s]
   Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();
   Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();  // [rad/s]
+  double gravity = kGravity;                            // [m/s^2]
 };
 
 // NaN at instants outside of the span.

@@ -116,6 +116,7 @@ void SetHeadings(Tracks& tracks, const Observations& observations) {
 
 Tracks StartTracks(const Observations& observations, bool bias_from_rests) {
   Tracks tracks;
+  tracks.gravity = observations.gravity;
   tracks.start = -std::numeric_limits<double>::infinity();
   tracks.end = std::numeric_limits<double>::infinity();
   for (const Recording& recording : observations.recordings) {

@@ -26,6 +26,7 @@ struct Tracks {
   std::vector<Track> segments;  // in the order of the recordings
   double start = 0.0;           // the span that all recordings cover, whole cells [s]
   double end = 0.0;
+  double gravity = kGravity;  // [m/s^2]
   std::vector<Rest> rests;
   std::vector<std::string> notes;  // what was taken for the start, and why
 };

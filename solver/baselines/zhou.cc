@@ -36,8 +36,8 @@ FreeMotion FilteredMotion(const Track& track, const Tracks& tracks, const ZhouOp
   filtered.gyr_S =
       FilteredOrNot(filtered.gyr_S, filter, track, "angular rate", estimate.diagnostics.notes);
   const Vector3d bias = options.zhou_highpass_hz > 0 ? Vector3d::Zero() : track.gyro_bias;
-  return IntegrateFreely(Preintegrator(filtered), {tracks.start, track.q_WB, bias}, tracks.end,
-                         estimate.time);
+  return IntegrateFreely(Preintegrator(filtered), {tracks.start, track.q_WB, bias, tracks.gravity},
+                         tracks.end, estimate.time);
 }
 
 // A segment's motion, and where sensor and distal joint lie in it.

@@ -180,6 +180,22 @@ TEST_F(Compare, DoesNotLetABrokenTrialStopTheOthers) {
   EXPECT_EQ(pairs[3]["outcome"], "unreadable");
 }
 
+// A place that is told beyond what a double can weigh makes the information matrix singular.
+TEST_F(Compare, ExitsWithThreeWhenAMemberIsNotToBeTrustedAndShowsTheOthers) {
+  const std::string sound = Trial("sound"), absurd = Trial("absurd");
+  json trial = json::parse(ReadText(absurd + "/trial.json"));
+  for (json& recording : trial["recordings"]) recording["mounting"]["p_sigma_m"] = 1e-200;
+  Write("absurd/trial.json", trial.dump());
+  const Outcome outcome = Compared(sound + "," + absurd, "gyroscope,smoother");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  const json pairs = Json("comparison.json")["pairs"];
+  EXPECT_TRUE(pairs[0]["trusted"] && pairs[1]["trusted"] && pairs[2]["trusted"]);
+  EXPECT_EQ(pairs[3]["outcome"], "done");
+  EXPECT_FALSE(pairs[3]["trusted"]);
+  EXPECT_THAT(pairs[3]["reason"], HasSubstr("singular"));
+  EXPECT_THAT(outcome.out, HasSubstr("singular"));
+}
+
 TEST_F(Compare, TakesPatternsAndNamesFoldersApart) {
   fs::create_directories(Path("b"));
   Trial("one");

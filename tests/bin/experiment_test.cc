@@ -33,7 +33,7 @@ TEST_F(Experiment, OfLuingePrintsHisFiguresAndWritesThem) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("Fig. 4"), HasSubstr("order of 20"), HasSubstr("n_z"),
                                  HasSubstr("Fig. 5"), HasSubstr("Fig. 6, filter"),
                                  HasSubstr("Fig. 6, smoother"), HasSubstr("What was found")));
-  for (const char* figure : {"figure_4.svg", "figure_5.svg", "figure_6.svg"})
+  for (const char* figure : {"figure_3.svg", "figure_4.svg", "figure_5.svg", "figure_6.svg"})
     EXPECT_THAT(File(figure), HasSubstr("</svg>")) << figure;
   EXPECT_THAT(File("comparison.csv"), HasSubstr("morning,luinge_10,done"));
   const json comparison = json::parse(File("comparison.json"));

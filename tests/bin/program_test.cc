@@ -149,6 +149,13 @@ TEST_F(Program, ATrialWithoutReferenceCannotBeEvaluated) {
   const Outcome outcome = Run({"evaluate", "--trial=" + trial, "--estimate=" + Path("estimate")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("\"reference\""));
+  EXPECT_FALSE(std::filesystem::exists(Path("estimate/evaluation.json")));
+}
+
+TEST_F(Program, HelpSaysHowEvaluateAndCompareExit) {
+  EXPECT_THAT(Run({"evaluate", "--help"}).out, HasSubstr("Exits with 2"));
+  EXPECT_THAT(Run({"compare", "--help"}).out,
+              AllOf(HasSubstr("Exits with 2"), HasSubstr("with 3 when a method failed")));
 }
 
 TEST_F(Program, TerminationLeavesNothingBehindAndExitsWith143) {

@@ -74,7 +74,7 @@ const BadJson kBadJson[] = {
     {"AbsentFile", [](auto& j) { j["recordings"][1]["file"] = "gone.csv"; }, "gone.csv",
      "names 'gone.csv', which is not a file in the trial folder"},
     {"UnknownFormat", [](auto& j) { j["recordings"][1]["format"] = "c3d"; }, "c3d",
-     "is 'c3d'; expected csv"},
+     "is 'c3d'; expected one of csv"},
     {"UnknownNoise", [](auto& j) { j["recordings"][1]["noise"] = "loud"; }, "loud",
      "expected one of mtw, mtx"},
     {"MountingWithoutRotation", [](auto& j) { j["recordings"][1]["mounting"].erase("q_BS_wxyz"); },

@@ -90,7 +90,7 @@ TEST(Csv, NamesRowsOfAnotherLengthThanTheHeader) {
 }
 
 TEST(Csv, SuspectsDecimalCommas) {
-  EXPECT_THAT(Complaint("a,b,c\n0,1,0,2,0,3\n"), HasSubstr("decimal commas"));
+  EXPECT_THAT(Complaint("a,b,c\n0,1,0,2,0,3\n"), HasSubstr("[decimal_comma]"));
   EXPECT_THAT(Complaint("a;b;c\n0,1;0,2;0,3\n"), HasSubstr("expected commas, and decimal points"));
 }
 

@@ -92,7 +92,7 @@ inline nlohmann::ordered_json TrialJson() {
       {"recordings",
        {{{"segment", "upper_arm"}, {"file", "upper_arm.csv"}, {"mounting", mounting}},
         {{"segment", "forearm"}, {"file", "forearm.csv"}, {"mounting", mounting}}}},
-      {"intervals", {{{"label", "rest"}, {"start_s", 0.1}, {"end_s", 0.5}}}},
+      {"intervals", {{{"label", "task:drinking"}, {"start_s", 0.1}, {"end_s", 0.5}}}},
       {"start_pose", {{"label", "arms_along_body_thumbs_forward"}, {"at_s", 0.1}}},
       {"reference", {{"file", "reference.csv"}}}};
 }

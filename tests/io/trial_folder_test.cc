@@ -36,7 +36,7 @@ TEST(TrialFolder, HoldsWhatTrialJsonSays) {
   EXPECT_EQ(observations.recordings[1].mounting->p_BS_B, Eigen::Vector3d(0.01, -0.1, 0));
   EXPECT_DOUBLE_EQ(observations.recordings[0].gyr_S[0].x(), 1.6);
   ASSERT_THAT(observations.intervals, SizeIs(1));
-  EXPECT_EQ(observations.intervals[0].label, "rest");
+  EXPECT_EQ(observations.intervals[0].label, "task:drinking");
   EXPECT_DOUBLE_EQ(*observations.start_pose->elbow_flexion, 10 * kDegree);
   EXPECT_DOUBLE_EQ(*observations.start_pose->forearm_pronation, 90 * kDegree);
   EXPECT_DOUBLE_EQ(*observations.start_pose->shoulder_elevation, 0.0);

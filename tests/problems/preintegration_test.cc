@@ -194,6 +194,23 @@ TEST(Preintegrator, MakesALostPacketACellThatItIsUnsureOf) {
   }
 }
 
+// Rolls to and fro at up to 9 rad/s under a gyroscope of 7 rad/s.
+TEST(Preintegrator, IsUnsureOfSpansInWhichTheSensorWasOutOfItsRange) {
+  const MovingSensor sensor = [](double t) {
+    const double angle = 0.9 * std::sin(10.0 * t), rate = 9.0 * std::cos(10.0 * t);
+    return SensorOn({About(Vector3d::UnitX(), {.value = angle, .rate = rate}), {}}, {});
+  };
+  Recording recording = Even(sensor, 100.0, 1.0);
+  for (Vector3d& gyr : recording.gyr_S) gyr = gyr.cwiseMin(7.0).cwiseMax(-7.0);
+  const Preintegrator samples(recording);
+  const auto over = samples.Sum(0.2, 0.42, kNoBias), below = samples.Sum(0.43, 0.5, kNoBias);
+  EXPECT_EQ(below.gyro_gap_variance, 0.0);
+  const double error = ErrorsOf(over, sensor, 0.2).attitude, sd = std::sqrt(over.gyro_gap_variance);
+  EXPECT_GT(error, 0.1);
+  EXPECT_LT(error, 2 * sd);
+  EXPECT_GT(error, 0.3 * sd);
+}
+
 TEST(Preintegrator, SharesTheDoubtOfAGapAmongTheIntervalsThatCutIt) {
   Recording recording = Even(SwayingSensor(0.7), 100.0, 1.0);
   Lose(recording, 50, 4);

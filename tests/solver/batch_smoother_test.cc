@@ -166,5 +166,17 @@ TEST(SmootherOptions, SayWhyTheyAreNotValid) {
               testing::HasSubstr("elbow_adduction_sigma_deg"));
 }
 
+// Skin that moves under the sensors leaves residuals that bend the cost: Gauss-Newton's steps alone
+// creep there and do not end.
+TEST(BatchSmoother, ConvergesOnSkinWhereTheAdductionIsLittleHeld) {
+  ScenarioOptions eating{.name = "eating"};
+  eating.duration = UsualDuration(eating);
+  SmootherOptions options;
+  options.covariance = false;
+  options.model.elbow_adduction_sigma_deg = 50;
+  const Trial trial = Simulate(MakeScenario(eating), HonestErrors(MtxNoise())).trial;
+  EXPECT_TRUE(BatchSmoother(options).Run(trial.observations).diagnostics.converged);
+}
+
 }  // namespace
 }  // namespace brachium

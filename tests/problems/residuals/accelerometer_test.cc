@@ -50,8 +50,8 @@ struct Example {
          faults.accel_scale};
   }
 
-  Accelerometer Residual(const Whitening2& whitening = {}) const {
-    return {interval, kMounting.q_BS, kAlpha, whitening};
+  Accelerometer Residual(const Whitening2& whitening = {}, double gravity = kGravity) const {
+    return {interval, kMounting.q_BS, kAlpha, gravity, whitening};
   }
 };
 
@@ -59,6 +59,16 @@ struct Example {
 TEST(Accelerometer, IsZeroWhereTheSensorMovesAsTheForcesSay) {
   const Example example;
   EXPECT_LT(ResidualAt(example.Residual(), example.x).norm(), 1e-6);
+}
+
+TEST(Accelerometer, FeelsTheGravityOfThePlace) {
+  Example example;
+  const double weaker = 0.03;
+  const Quaterniond q_WB(example.x.front().data());
+  const Vector3d less_S = (q_WB * kMounting.q_BS).conjugate() * Vector3d(0, 0, weaker);
+  example.interval.dv -= less_S * kDuration;
+  example.interval.dp -= less_S * (kDuration * kDuration / 2);
+  EXPECT_LT(ResidualAt(example.Residual({}, kGravity - weaker), example.x).norm(), 1e-6);
 }
 
 TEST(Accelerometer, TakesOffBiasesAndScaleErrorsOfTheSensor) {
@@ -117,7 +127,7 @@ TEST(Accelerometer, CannotTellTiltFromBiasWhileTheSensorKeepsItsAttitude) {
   rest.dp = kGravity * kDuration * kDuration / 2 * Vector3d::UnitZ();
   rest.dv_dba = -kDuration * Eigen::Matrix3d::Identity();
   rest.dp_dba = -kDuration * kDuration / 2 * Eigen::Matrix3d::Identity();
-  const Accelerometer residual(rest, Quaterniond::Identity(), 0.5, {});
+  const Accelerometer residual(rest, Quaterniond::Identity(), 0.5, kGravity, {});
   const Vector3d zero = Vector3d::Zero();
   const Quaterniond upright = Quaterniond::Identity(), tilted = Exp<double>({tilt, 0.0, 0.0});
   const auto at = [&](const Quaterniond& q, const Vector3d& bias) {

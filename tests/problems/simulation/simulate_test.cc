@@ -153,7 +153,7 @@ TEST(Simulate, SaysWhatExactlyKnownSensorsWouldSayOfTheirSegmentsOnBothSides) {
       options.mounting_error = off;
       const SimulatedTrial simulated = Simulate(Brisk(side), options);
       for (const auto& [segment, q_VB] : simulated.trial.reference->q_VB) {
-        const auto& by_sensor = simulated.q_VB_by_sensors.at(segment);
+        const auto& by_sensor = simulated.sensors_q_VB.at(segment);
         ASSERT_EQ(by_sensor.size(), q_VB.size());
         for (std::size_t i = 0; i < q_VB.size(); i += 50)
           EXPECT_NEAR(AngleBetween(by_sensor[i], q_VB[i]), off, 1e-7);
@@ -164,7 +164,7 @@ TEST(Simulate, SaysWhatExactlyKnownSensorsWouldSayOfTheirSegmentsOnBothSides) {
 TEST(Simulate, SaysNothingBySensorsWhoseMountingsAreNotTold) {
   SimulationOptions options = NoErrors();
   options.tell_mountings = false;
-  for (const auto& [segment, q_VB] : Simulate(Brisk(), options).q_VB_by_sensors)
+  for (const auto& [segment, q_VB] : Simulate(Brisk(), options).sensors_q_VB)
     EXPECT_TRUE(q_VB.empty());
 }
 

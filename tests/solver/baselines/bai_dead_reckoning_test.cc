@@ -43,6 +43,16 @@ double FinalError(const Estimate& estimate) {
   return (estimate.p_W.at("hand").back() - Vector3d(0.3, 0.0, 0.0)).norm();
 }
 
+// Half of a difference of 0.05 m/s^2 times seven seconds squared.
+TEST(BaiDeadReckoning, TakesOffTheGravityOfThePlace) {
+  Observations observations = PassingHand({0, 0, 9.78 - kGravity});
+  observations.gravity = 9.78;
+  const BaiDeadReckoning method{BaiDeadReckoningOptions{}};
+  EXPECT_LT(FinalError(method.Run(observations)), 1e-4);
+  observations.gravity = 9.83;
+  EXPECT_NEAR(FinalError(method.Run(observations)), 0.5 * 0.05 * 7.0 * 7.0, 0.02);
+}
+
 TEST(BaiDeadReckoning, FollowsOneIdealSensor) {
   const Estimate estimate = BaiDeadReckoning(BaiDeadReckoningOptions{}).Run(PassingHand({0, 0, 0}));
   EXPECT_LT(FinalError(estimate), 1e-4);

@@ -1,0 +1,19 @@
+// Two sensors beside one joint: what they say of it must agree.
+#pragma once
+
+#include <string>
+
+#include "io/findings.h"
+#include "problems/observations.h"
+
+namespace brachium {
+
+// The specific force at the elbow, carried there from the upper arm's sensor and from the forearm's,
+//   |f_S + dω_S/dt x r_S + ω_S x (ω_S x r_S)|,   r_S from the sensor to the elbow,
+// is one and the same length, whatever the orientations. Where it agrees much better with the
+// recordings exchanged, an accelerometer turned round, or one clock shifted, warns of that and
+// returns true. Silent where a mounting is missing or the arm hardly moves. Source of the relation:
+// Seel, Raisch & Schauer, Sensors 14 (2014), eq. 9.
+bool CheckElbow(const Observations& observations, Findings* findings);
+
+}  // namespace brachium

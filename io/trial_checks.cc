@@ -1,0 +1,179 @@
+#include "io/trial_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "io/elbow_check.h"
+#include "io/elbow_sensors.h"
+#include "io/slip_check.h"
+#include "io/text.h"
+#include "problems/statistics.h"
+
+namespace brachium {
+namespace {
+
+constexpr double kMovingRate = 5 * kDegree;  // rms about the mean [rad/s]
+constexpr double kMovingForce = 0.4;         // rms about the mean [m/s^2]
+
+double RmsAboutMean(const std::vector<Eigen::Vector3d>& samples, std::size_t first,
+                    std::size_t last) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = first; i < last; ++i) mean += samples[i];
+  const auto count = static_cast<double>(last - first);
+  mean /= count;
+  double squares = 0.0;
+  for (std::size_t i = first; i < last; ++i) squares += (samples[i] - mean).squaredNorm();
+  return std::sqrt(squares / count);
+}
+
+void CheckRests(const Recording& recording, const std::vector<Interval>& intervals,
+                Findings* findings) {
+  const auto at = [&](double t) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(recording.time, t) -
+                                    recording.time.begin());
+  };
+  for (const Interval& interval : intervals) {
+    const std::size_t first = at(interval.start), last = at(interval.end);
+    if (interval.label != "rest" || last < first + 3) continue;
+    const double rate = RmsAboutMean(recording.gyr_S, first, last);
+    const double force = RmsAboutMean(recording.acc_S, first, last);
+    if (rate < kMovingRate && force < kMovingForce) continue;
+    findings->warnings.push_back(std::string(Name(recording.segment)) + " moves in the rest from " +
+                                 Fixed(interval.start, 2) + " to " + Fixed(interval.end, 2) +
+                                 " s (" + Fixed(rate / kDegree, 1) + " deg/s and " +
+                                 Fixed(force, 2) +
+                                 " m/s^2 rms); label only what is still [moving_rest]");
+  }
+}
+
+// What the accelerometer reads while the sensor hardly turns; nothing where that is not for long.
+std::optional<double> RestingForce(const Recording& recording) {
+  constexpr double kHardly = 5 * kDegree;  // [rad/s]
+  constexpr double kLeast = 1.0;           // [s]
+  std::vector<double> forces;
+  for (std::size_t i = 0; i < recording.size(); ++i)
+    if (recording.gyr_S[i].norm() < kHardly) forces.push_back(recording.acc_S[i].norm());
+  if (static_cast<double>(forces.size()) * SamplingPeriod(recording) < kLeast) return std::nullopt;
+  return Quantile(std::move(forces), 0.5);
+}
+
+void CheckGravity(const Recording& recording, double gravity, Findings* findings) {
+  constexpr double kTolerance = 0.35;  // [m/s^2]; sensors in use are off by 0.28
+  const auto force = RestingForce(recording);
+  if (!force || std::abs(*force - gravity) < kTolerance) return;
+  findings->warnings.push_back(std::string(Name(recording.segment)) + ": acc is " +
+                               Fixed(*force, 2) + " at rest; expected gravity, " +
+                               Fixed(gravity, 2) +
+                               " m/s^2: check its unit and its calibration [gravity]");
+}
+
+bool ShowsOnlyGravity(const Eigen::Vector3d& f_S) {
+  return std::abs(f_S.norm() - kGravity) < 0.05 * kGravity;
+}
+
+// The mean upward share of gravity, 1 where every orientation is right.
+template <typename Reading>
+double Uprightness(const Recording& recording, Reading reading) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    if (!ShowsOnlyGravity(recording.acc_S[i])) continue;
+    sum += (reading(recording.q_WS[i]) * recording.acc_S[i]).normalized().z();
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 1.0;
+}
+
+void CheckOrientation(const Recording& recording, Findings* findings) {
+  using Eigen::Quaterniond;
+  constexpr double kUpright = 0.9;
+  if (recording.q_WS.empty()) return;
+  const double told = Uprightness(recording, [](const Quaterniond& q) { return q; });
+  if (told > kUpright) return;
+  const auto w_last = [](const Quaterniond& q) { return Quaterniond(q.z(), q.w(), q.x(), q.y()); };
+  const auto inverse = [](const Quaterniond& q) { return q.conjugate(); };
+  std::string what =
+      "fits no known convention; expected sensor to world, w first, z up "
+      "[orientation]";
+  if (told < -kUpright)
+    what =
+        "has z downward, as in north-east-down; expected z up (or acc is turned round) "
+        "[orientation_ned]";
+  else if (Uprightness(recording, w_last) > kUpright)
+    what = "has w last; expected w first: reorder the columns [orientation_w_last]";
+  else if (Uprightness(recording, inverse) > kUpright)
+    what =
+        "is inverted, world to sensor; expected sensor to world: negate q_x, q_y, q_z "
+        "[orientation_inverted]";
+  findings->warnings.push_back(std::string(Name(recording.segment)) +
+                               ": the maker's orientation turns gravity to " + Fixed(told, 2) +
+                               " of upright; it " + what);
+}
+
+// Beside a hanging upper arm, up in forearm axes is (sin a cos c, cos a, sin a sin c) for flexion a
+// and, on the right, pronation c, which lies between 0 and pi; on the left it is -c.
+void CheckSide(const Observations& observations, Findings* findings) {
+  constexpr double kHanging = 0.9, kBent = 0.5, kClear = 0.4, kLeast = 1.5;  // cos, sin, sin c, s
+  const Recording* const upper = FindMounted(observations, Segment::kUpperArm);
+  const Recording* const fore = FindMounted(observations, Segment::kForearm);
+  if (upper == nullptr || fore == nullptr || !observations.arm.elbow.adduction_constraint) return;
+  std::vector<double> sines;
+  for (std::size_t i = 0, j = 0; i < fore->size(); ++i) {
+    while (j + 1 < upper->size() && upper->time[j] < fore->time[i]) ++j;
+    if (!ShowsOnlyGravity(fore->acc_S[i]) || !ShowsOnlyGravity(upper->acc_S[j])) continue;
+    const Eigen::Vector3d up_U = upper->mounting->q_BS * upper->acc_S[j].normalized();
+    const Eigen::Vector3d up_F = fore->mounting->q_BS * fore->acc_S[i].normalized();
+    const double bent = std::hypot(up_F.x(), up_F.z());
+    if (up_U.y() > kHanging && bent > kBent) sines.push_back(up_F.z() / bent);
+  }
+  if (static_cast<double>(sines.size()) * SamplingPeriod(*fore) < kLeast) return;
+  const auto middle = sines.begin() + std::ssize(sines) / 2;
+  std::ranges::nth_element(sines, middle);
+  if (Sign(observations.arm.side) * *middle > -kClear) return;
+  findings->warnings.push_back("beside a hanging upper arm the forearm is turned as no " +
+                               std::string(Name(observations.arm.side)) +
+                               " forearm can be (sine of pronation " +
+                               Fixed(Sign(observations.arm.side) * *middle, 2) +
+                               "); check arm.side and the mountings [side]");
+}
+
+// Where the told pose has the arm hang, up must be upward along upper arm and forearm.
+void CheckStartPose(const Observations& observations, Findings* findings) {
+  constexpr double kHanging = 30 * kDegree, kBent = 60 * kDegree, kOpposite = -0.7;
+  const auto& pose = observations.start_pose;
+  if (!pose || !pose->shoulder_elevation || *pose->shoulder_elevation > kHanging) return;
+  for (const Segment segment : {Segment::kUpperArm, Segment::kForearm}) {
+    const Recording* const recording = FindMounted(observations, segment);
+    const bool hangs =
+        segment == Segment::kUpperArm || (pose->elbow_flexion && *pose->elbow_flexion < kBent);
+    if (recording == nullptr || !hangs) continue;
+    const auto at = std::ranges::lower_bound(recording->time, pose->time);
+    if (at == recording->time.end()) continue;
+    const auto i = static_cast<std::size_t>(at - recording->time.begin());
+    const double up = (recording->mounting->q_BS * recording->acc_S[i].normalized()).y();
+    if (up > kOpposite) continue;
+    findings->warnings.push_back(
+        std::string(Name(segment)) +
+        ": acc looks turned round: in the start pose, hanging, it is " + Fixed(up, 2) +
+        " of upward; expected specific force, +9.81 upward at rest: multiply it by -1, or turn the "
+        "mounting [gravity_sign]");
+  }
+}
+
+}  // namespace
+
+void CheckTrial(const Observations& observations, Findings* findings) {
+  for (const Recording& recording : observations.recordings) {
+    CheckRests(recording, observations.intervals, findings);
+    CheckOrientation(recording, findings);
+    CheckGravity(recording, observations.gravity, findings);
+  }
+  const std::size_t before = findings->warnings.size();
+  CheckStartPose(observations, findings);
+  if (findings->warnings.size() > before || CheckElbow(observations, findings)) return;
+  CheckSide(observations, findings);
+  CheckSlip(observations, findings);
+}
+
+}  // namespace brachium

@@ -1,0 +1,58 @@
+#include "io/trial_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/spoiled_trials.h"
+
+namespace brachium {
+namespace {
+
+// Half a minute each; benchmarks/spoiled_trials.cc tries more and longer ones.
+std::vector<Trial> SoundTrials() {
+  std::vector<Trial> trials;
+  for (const std::string scenario : {"daily_brisk", "daily_slow", "reach"})
+    for (const Side side : {Side::kRight, Side::kLeft})
+      trials.push_back(SoundTrial({.name = scenario, .side = side, .duration = 30.0}));
+  return trials;
+}
+
+TEST(TrialChecks, AreSilentOnSoundTrials) {
+  for (Trial& trial : SoundTrials()) {
+    trial.observations.intervals.push_back({"rest", 0.5, 2.5});
+    Orient(trial, [](const Eigen::Quaterniond& q) { return q; });
+    EXPECT_EQ(Said(trial), "") << trial.name;
+  }
+}
+
+TEST(TrialChecks, NameNearlyEveryTrialWithAMistake) {
+  const std::vector<Trial> sound = SoundTrials();
+  for (const Mistake& mistake : Mistakes()) {
+    std::size_t named = 0;
+    std::string otherwise;
+    for (Trial trial : sound) {
+      mistake.make(trial);
+      const std::string said = Said(trial);
+      if (Names(said, mistake))
+        ++named;
+      else
+        otherwise += trial.name + ": " + said + "\n";
+    }
+    EXPECT_GE(static_cast<double>(named), 0.95 * static_cast<double>(sound.size()))
+        << mistake.what << " is not named in\n"
+        << otherwise;
+  }
+}
+
+TEST(TrialChecks, TakeTheGravityOfThePlaceAsTold) {
+  Trial trial = SoundTrial({.name = "reach", .duration = 20.0});
+  for (Recording& recording : trial.observations.recordings)
+    Scale(recording.acc_S, 9.50 / kGravity);
+  trial.observations.gravity = 9.78;
+  EXPECT_EQ(Said(trial), "");
+  trial.observations.gravity = 9.85;
+  EXPECT_THAT(Said(trial), testing::HasSubstr("[gravity]"));
+}
+
+}  // namespace
+}  // namespace brachium
