@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "problems/sampling.h"
 #include "problems/statistics.h"
@@ -13,18 +14,21 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kUnknownPlace = 0.3;  // sd of joints and sensors [m]
+constexpr double kPeriod = 0.1;        // [s]
 
-Observations AsBallJoint(const Recording& upper_arm, const Recording& forearm, Side side) {
-  Observations observations;
-  observations.arm.side = side;
+bool IsOfTheElbow(const Recording& recording) {
+  return recording.segment == Segment::kUpperArm || recording.segment == Segment::kForearm;
+}
+
+Observations AsBallJoint(Observations observations) {
+  observations.start_pose.reset();
+  observations.arm.segments.clear();
   observations.arm.elbow.adduction_constraint = false;
-  for (const Recording& recording : {upper_arm, forearm}) {
-    observations.recordings.push_back(recording);
-    Mounting unknown;
-    unknown.p_sigma = kUnknownPlace;
-    observations.recordings.back().mounting = unknown;
-    observations.arm.segments[recording.segment] = {.p_distal_B = Vector3d::Zero(),
-                                                    .sigma = kUnknownPlace};
+  observations.arm.shoulder.sigma = kUnknownPlace;
+  std::erase_if(observations.recordings, std::not_fn(IsOfTheElbow));
+  for (Recording& recording : observations.recordings) {
+    recording.mounting = Mounting{.p_sigma = kUnknownPlace};
+    observations.arm.segments[recording.segment] = {.sigma = kUnknownPlace};
   }
   return observations;
 }
@@ -36,8 +40,11 @@ const Constant& Found(const Estimate& estimate, const std::string& name) {
 
 Vector3d Value(const Constant& constant) { return Vector3d(constant.value.data()); }
 
-double LargestSd(const Constant& constant) {
-  return *std::max_element(constant.sd.begin(), constant.sd.end());
+// Mean over the directions square to `along`, a unit vector; without the correlations, which are not
+// told.
+double SdAcross(const Constant& constant, const Vector3d& along) {
+  const Eigen::Array3d variance = Eigen::Array3d(constant.sd.data()).square();
+  return std::sqrt((variance * (1 - along.array().square())).sum() / 2);
 }
 
 double MedianOfKnown(std::vector<double> values) {
@@ -47,8 +54,7 @@ double MedianOfKnown(std::vector<double> values) {
 
 void SetRotations(const Estimate& estimate, BallJoint& joint) {
   std::vector<double> at;
-  for (double t = estimate.time.front(); t <= estimate.time.back(); t += BallJoint::kPeriod)
-    at.push_back(t);
+  for (double t = estimate.time.front(); t <= estimate.time.back(); t += kPeriod) at.push_back(t);
   const SampleTimes times(estimate.time);
   const auto q_WA = Interpolate(times, estimate.q_WB.at(Segment::kUpperArm), at);
   const auto q_WB = Interpolate(times, estimate.q_WB.at(Segment::kForearm), at);
@@ -62,12 +68,11 @@ void SetRotations(const Estimate& estimate, BallJoint& joint) {
 
 }  // namespace
 
-std::optional<BallJoint> FollowBallJoint(const Recording& upper_arm, const Recording& forearm,
-                                         Side side, std::string* why) {
+std::optional<BallJoint> FollowBallJoint(const Observations& observations, std::string* why) {
   const BatchSmoother smoother(SmootherOptions{});
-  const Observations observations = AsBallJoint(upper_arm, forearm, side);
-  if (!smoother.Accepts(observations, why)) return std::nullopt;
-  const Estimate estimate = smoother.Run(observations);
+  const Observations free = AsBallJoint(observations);
+  if (!smoother.Accepts(free, why)) return std::nullopt;
+  const Estimate estimate = smoother.Run(free);
   if (!estimate.diagnostics.converged || estimate.diagnostics.singular) {
     *why = "the two sensors cannot be followed as bodies on one joint: " +
            estimate.diagnostics.termination;
@@ -80,8 +85,8 @@ std::optional<BallJoint> FollowBallJoint(const Recording& upper_arm, const Recor
   joint.shoulder_to_elbow_A = Value(distal);
   joint.elbow_to_sensor_A = Value(Found(estimate, "upper_arm.p_BS_m")) - Value(distal);
   joint.elbow_to_sensor_B = Value(placed);
-  joint.upper_sd = LargestSd(distal);
-  joint.fore_sd = LargestSd(placed);
+  joint.upper_sd = SdAcross(distal, joint.shoulder_to_elbow_A.normalized());
+  joint.fore_sd = SdAcross(placed, joint.elbow_to_sensor_B.normalized());
   joint.heading_sd = MedianOfKnown(estimate.sd_angle.at("relative_heading"));
   return joint;
 }

@@ -1,55 +1,54 @@
 // The two axes of an elbow from how the sensors on either side of it turn against each other.
 //
 // With the flexion axis j1, fixed in the sensor A on the upper arm, and the pronation axis j2, fixed in
-// the sensor B on the forearm, both unit vectors,
-//   e_i = j1ᵀ R_AB,i j2 = sin β,      β the carrying angle but for a sign: constant,
-// for flexion turns R_AB about j1 and pronation about j2. Its derivative is the constraint on angular
-// rates (ω_A - R_AB ω_B) · (j1 × R_AB j2) = 0; as an integral it needs no rates and forgets nothing.
-// Bilinear in the axes: with m = j1 ⊗ j2 and r_i the nine entries of R_AB,i,
-//   Σ w_i (e_i - mean e)² = mᵀ K m,
-// so that K (9 x 9) holds all that the motion says. For a given j1 the best j2 is the eigenvector of
-// the least eigenvalue of a 3 x 3 matrix, and the other way round: searched from directions all over
-// the sphere, no guess being needed. Huber weights w_i are estimated along.
-// What anatomy adds, weakly, is quadratic too, but for the expected β, which waits for the signs and
-// enters in a last Gauss-Newton descent:
-//   (mean e - sin β)²/σ_β²,   (j1 · l)²/σ_l²,   |j2 × u|²/σ_u²,
-// l from elbow to shoulder in A, u from sensor to elbow in B.
-// Signs       j2 along u; j1 such that bending is positive: Σ j1 · (l × R_AB,i j2) > 0.
-// Covariance  of that last descent. Adduction is not new at every sample: correlated over τ = 1 s, N
-//             samples of period h count as N h / (2τ); its sd is the rms of e, at least 8 deg, as on
-//             people (Luinge et al., J. Biomech. 40 (2007)). Rests are left out.
-// Blind to    j2 where the forearm is never turned, j1 where the elbow is never bent: their sd stays
-//             what anatomy gives.
-// Source      Müller, Bégin, Schauer & Seel, IEEE J. Biomed. Health Inform. 21 (2017), for the
-//             constraint; Laidig, Müller & Seel, Curr. Dir. Biomed. Eng. 3 (2017), in orientations.
+// the sensor B on the forearm, both unit vectors, flexion turns R_AB about j1 and pronation about j2.
+// Neither changes j1ᵀ R_AB j2, which is the sine of adduction (z_U · y_F), so that the residual of
+// elbow_adduction.h holds, here of axes:
+//   r_i = (j1ᵀ R_AB,i j2 + s sin k_i) / cos k_i,    k_i = k0 + k1 (y_U · R_AB,i j2),
+// s = +1 right, -1 left; y_U is l, from elbow to shoulder in A, made square to j1. Least squares over
+//   Σ r_i²/(σ² m) + (k0 - k)²/σ_k² + k1²/σ_k1² + (l · j1)²/σ_l² + |j2 × u|²/σ_u²,
+// u from the forearm's sensor to the elbow in B.
+// Instants    those between which the elbow turned by 2 deg: a rest counts once, however long it is.
+// Start       j2 along u, j1 in turn in all directions square to l; the cheapest minimum that bends
+//             counts: Σ j1 · (l × R_AB,i j2) > 0.
+// Weight      the elbow departs from its hinge for a while, not anew at every instant: of N residuals
+//             N/m count, m = 1 + 2 Σ ρ_n over their autocorrelation until it crosses zero. σ² from the
+//             residuals, together with a handful (4) of the usual size, 5 deg.
+// Covariance  of that least-squares problem.
+// Blind to    j2 where the forearm is never turned, j1 where the elbow is never bent: there they stay
+//             what anatomy says. j1 tilted along y_U looks like k1.
+// Source      Laidig, Müller & Seel, Curr. Dir. Biomed. Eng. 3 (2017): the constraint in orientations,
+//             of which Müller, Bégin, Schauer & Seel, IEEE J. Biomed. Health Inform. 21 (2017), take
+//             the derivative, (ω_A - R_AB ω_B) · (j1 × R_AB j2) = 0. The changing carrying angle, the
+//             weight and the anatomy are ours.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
+#include "problems/arm_model.h"
+
 namespace brachium {
 
-// Unit vectors and angles that hold of any elbow, each with an sd [rad].
+// What holds of an elbow before it moves: directions with an sd [rad], and the carrying angle.
 struct HingeAnatomy {
-  Eigen::Vector3d to_shoulder_A;
-  double to_shoulder_sd;
-  Eigen::Vector3d to_elbow_B;
-  double to_elbow_sd;
-  double beta;
-  double beta_sd;
+  Side side = Side::kRight;
+  Eigen::Vector3d to_shoulder_A = Eigen::Vector3d::UnitX();
+  double to_shoulder_sd = 0.0;
+  Eigen::Vector3d to_elbow_B = Eigen::Vector3d::UnitX();
+  double to_elbow_sd = 0.0;
+  ElbowModel elbow;
 };
 
 struct HingeAxes {
   Eigen::Vector3d j1_A = Eigen::Vector3d::UnitX();
   Eigen::Vector3d j2_B = Eigen::Vector3d::UnitX();
-  double j1_sd = 0.0;        // in the direction that is known least [rad]
-  double j2_sd = 0.0;        // the same
-  double misfit = 0.0;       // rms of e about its mean [rad]
-  double next_misfit = 0.0;  // of the next best pair of axes; infinite where there is none
+  Eigen::Matrix3d j1_covariance = Eigen::Matrix3d::Zero();  // of rank 2, in A
+  Eigen::Matrix3d j2_covariance = Eigen::Matrix3d::Zero();  // the same in B
+  double misfit = 0.0;  // rms of the elbow's departure from the hinge found [rad]
 };
 
-// `R_AB` are rotations at instants `period` [s] apart. Requires two or more.
-HingeAxes FindHingeAxes(const std::vector<Eigen::Matrix3d>& R_AB, double period,
-                        const HingeAnatomy& anatomy);
+// `R_AB` are rotations in order of time; of their times nothing is asked. Requires two or more.
+HingeAxes FindHingeAxes(const std::vector<Eigen::Matrix3d>& R_AB, const HingeAnatomy& anatomy);
 
 }  // namespace brachium

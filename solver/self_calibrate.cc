@@ -1,12 +1,14 @@
 #include "solver/self_calibrate.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "problems/joint_angles.h"
+#include "problems/model_options.h"
 #include "problems/statistics.h"
 #include "solver/ball_joint.h"
 #include "solver/calibration_movement.h"
+#include "solver/elbow_zeros.h"
 #include "solver/hinge_axes.h"
 
 namespace brachium {
@@ -16,54 +18,50 @@ using Eigen::Matrix3d, Eigen::Quaterniond, Eigen::Vector3d;
 
 constexpr double kShortest = 10.0;                   // [s]
 constexpr double kLeastRange = 30 * kDegree;         // of flexion and of pronation
-constexpr double kLeastKnownAxis = 18 * kDegree;     // sd
+constexpr double kLeastKnownAxis = 12 * kDegree;     // sd
 constexpr double kLeastKnownHeading = 15 * kDegree;  // sd
-constexpr double kLineSigma = 5 * kDegree;           // the shoulder is no point, and skin gives way
-constexpr double kSeatSigma =
-    20 * kDegree;  // from the forearm's axis to its sensor, seen from the elbow
-constexpr double kStretched = -5 * kDegree;  // the least flexion of a usual elbow
-constexpr double kHangs = 35 * kDegree;
-constexpr double kAssumedPoseSigma = 30 * kDegree;
-constexpr double kPlaceSigma = 0.01;  // [m]
+// A sensor on the skin lies up to 5 cm off the forearm's axis, 15 cm from the elbow.
+constexpr double kSeatSigma = 20 * kDegree;
+constexpr double kPlaceSigma = 0.01;  // of a sensor, skin giving way [m]
 
-// The segments' axes in the axes of their sensors, and what is known of them.
-struct Elbow {
-  Matrix3d R_AU, R_BF;
-  double flexion_zero_sd = 0.0, pronation_zero_sd = 0.0;  // [rad]
+// Rotation by φ about an axis square to `direction` moves that by φ times the third.
+double SdAbout(const Vector3d& axis, const Vector3d& direction, const Matrix3d& covariance) {
+  const Vector3d moved = axis.cross(direction);
+  return std::sqrt(moved.dot(covariance * moved));
+}
+
+// From the 1 % to the 99 % quantile [rad].
+struct Range {
+  double least, median, most;
 };
 
-Matrix3d FromYZ(const Vector3d& Y, const Vector3d& Z) {
-  Matrix3d R;
-  R << Y.cross(Z), Y, Z;
-  return R;
+Range RangeOf(const std::vector<double>& angles) {
+  return {Quantile(angles, 0.01), Quantile(angles, 0.5), Quantile(angles, 0.99)};
 }
 
-// What the places of the joints and the usual elbow say of the axes.
-HingeAnatomy AnatomyOf(const BallJoint& joint, const ElbowModel& elbow, Side side) {
-  const double line_sd = joint.upper_sd / joint.shoulder_to_elbow_A.norm();
-  return {.to_shoulder_A = -joint.shoulder_to_elbow_A.normalized(),
-          .to_shoulder_sd = std::hypot(line_sd, kLineSigma),
-          .to_elbow_B = -joint.elbow_to_sensor_B.normalized(),
-          .to_elbow_sd = kSeatSigma,
-          .beta = -Sign(side) * elbow.carrying_angle,
-          .beta_sd = elbow.carrying_angle_sigma};
+struct Ranges {
+  Range flexion, pronation, carrying;
+};
+
+Ranges RangesOf(const BallJoint& joint, const ElbowFrames& frames, Side side) {
+  std::vector<double> flexion, pronation, carrying;
+  for (const Matrix3d& R_AB : joint.R_AB) {
+    const ElbowAngles angles = frames.AnglesAt(R_AB, side);
+    flexion.push_back(angles.flexion);
+    pronation.push_back(angles.pronation);
+    carrying.push_back(angles.carrying);
+  }
+  return {RangeOf(flexion), RangeOf(pronation), RangeOf(carrying)};
 }
 
-// The zero of flexion from the line to the shoulder; that of pronation is left open.
-Elbow FromAxes(const HingeAxes& axes, const Vector3d& line_A) {
-  const Vector3d Y_U = (line_A - line_A.dot(axes.j1_A) * axes.j1_A).normalized();
-  return {.R_AU = FromYZ(Y_U, axes.j1_A), .R_BF = FromYZ(axes.j2_B, axes.j2_B.unitOrthogonal())};
-}
-
-ElbowAngles AnglesAt(const Elbow& elbow, const Matrix3d& R_AB, Side side) {
-  return ElbowAnglesFrom(Quaterniond(Matrix3d(elbow.R_AU.transpose() * R_AB * elbow.R_BF)), side);
-}
-
-Vector3d UpAtTheStart(const Recording& recording, double until) {
-  Vector3d force = Vector3d::Zero();
-  for (std::size_t i = 0; i < recording.size() && recording.time[i] <= until; ++i)
-    force += recording.acc_S[i];
-  return force.normalized();
+std::vector<Figure> FiguresOf(const Ranges& ranges) {
+  return {{"flexion_least_deg", ranges.flexion.least / kDegree},
+          {"flexion_most_deg", ranges.flexion.most / kDegree},
+          {"pronation_least_deg", ranges.pronation.least / kDegree},
+          {"pronation_most_deg", ranges.pronation.most / kDegree},
+          {"carrying_median_deg", ranges.carrying.median / kDegree},
+          {"carrying_least_deg", ranges.carrying.least / kDegree},
+          {"carrying_most_deg", ranges.carrying.most / kDegree}};
 }
 
 class SelfCalibration {
@@ -93,150 +91,124 @@ class SelfCalibration {
 
   void CalibrateElbow(const Recording& upper_arm, const Recording& forearm) {
     std::string why;
-    const auto joint = FollowBallJoint(upper_arm, forearm, side(), &why);
+    const auto joint = FollowBallJoint(observations_, &why);
     if (!joint) return Refuse(why);
     if (joint->time.back() - joint->time.front() < kShortest)
       return Refuse("both sensors together cover less than 10 s: record 10 s or more of movement");
-    const HingeAnatomy anatomy = AnatomyOf(*joint, observations_.arm.elbow, side());
-    const HingeAxes axes = FindHingeAxes(joint->R_AB, BallJoint::kPeriod, anatomy);
-    Elbow elbow = FromAxes(axes, anatomy.to_shoulder_A);
-    const auto pose = PoseFor(elbow, *joint, upper_arm, forearm);
-    if (pose) SetZeros(*pose, *joint, elbow);
-    KeepFromOverstretching(*joint, elbow);
-    const std::vector<Figure> ranges = Ranges(*joint, elbow);
-    if (!IsTold(*joint, axes, ranges)) return;
+    const HingeAnatomy anatomy = AnatomyFrom(*joint);
+    const HingeAxes axes = FindHingeAxes(joint->R_AB, anatomy);
+    const ElbowFrames frames = FramesFrom(axes.j1_A, axes.j2_B, anatomy.to_shoulder_A);
+    if (!IsTold(*joint, axes, RangesOf(*joint, frames, side()))) return;
+    const auto pose = PoseForZeros(observations_, *joint, frames);
     if (!pose)
       return Refuse(
           "nothing tells the zero of pronation, which no movement shows: tell a start_pose "
           "(arms_along_body_thumbs_forward), or begin with a hanging arm, thumb forward");
-    Keep(upper_arm, *joint, axes, elbow);
-    Keep(forearm, *joint, axes, elbow);
-    for (const Figure& range : ranges) result_.segments.back().figures.push_back(range);
-    TellLimits(*pose);
+    const ElbowZeros zeros = SetZeros(*joint, frames, anatomy.to_shoulder_sd, *pose, side());
+    Keep(upper_arm, UpperArm(*joint, axes, zeros));
+    Keep(forearm, Forearm(*joint, axes, zeros));
+    TellLimits(*pose, zeros);
+    TellDeparture(axes);
   }
 
-  // The told start pose; else that of a hanging arm, where the recordings begin with one.
-  std::optional<StartPose> PoseFor(const Elbow& elbow, const BallJoint& joint,
-                                   const Recording& upper_arm, const Recording& forearm) {
-    if (observations_.start_pose && observations_.start_pose->forearm_pronation)
-      return observations_.start_pose;
-    const double begin = joint.time.front();
-    const Vector3d up_A = UpAtTheStart(upper_arm, begin + 0.5);
-    const Vector3d up_B = UpAtTheStart(forearm, begin + 0.5);
-    if (AngleBetween(up_A, elbow.R_AU.col(1)) > kHangs ||
-        AngleBetween(up_B, elbow.R_BF.col(1)) > kHangs)
-      return std::nullopt;
-    assumed_ = true;
-    return StartPose{.time = begin + 0.25,
-                     .elbow_flexion = 10 * kDegree,
-                     .forearm_pronation = 90 * kDegree,
-                     .shoulder_elevation = {},
-                     .sigma = kAssumedPoseSigma};
-  }
-
-  void SetZeros(const StartPose& pose, const BallJoint& joint, Elbow& elbow) {
-    const auto after = std::lower_bound(joint.time.begin(), joint.time.end(), pose.time);
-    const auto last = static_cast<std::ptrdiff_t>(joint.time.size()) - 1;
-    const auto at = static_cast<std::size_t>(std::min(after - joint.time.begin(), last));
-    const ElbowAngles now = AnglesAt(elbow, joint.R_AB[at], side());
-    const double line = std::hypot(joint.upper_sd / joint.shoulder_to_elbow_A.norm(), kLineSigma);
-    const double weight_of_line = 1 / (line * line);
-    const double weight_of_pose = pose.elbow_flexion ? 1 / (pose.sigma * pose.sigma) : 0.0;
-    const double weights = weight_of_line + weight_of_pose;
-    const double further = pose.elbow_flexion.value_or(now.flexion) - now.flexion;
-    elbow.R_AU *= Eigen::AngleAxisd(-further * weight_of_pose / weights, Vector3d::UnitZ())
-                      .toRotationMatrix();
-    elbow.flexion_zero_sd = 1 / std::sqrt(weights);
-    const double turn = Sign(side()) * (*pose.forearm_pronation - now.pronation);
-    elbow.R_BF *= Eigen::AngleAxisd(turn, Vector3d::UnitY()).toRotationMatrix();
-    elbow.pronation_zero_sd = pose.sigma;
-  }
-
-  // The zero of flexion moves until the elbow does not overstretch.
-  void KeepFromOverstretching(const BallJoint& joint, Elbow& elbow) {
-    const double beyond = kStretched - Ranges(joint, elbow).front().value * kDegree;
-    if (beyond <= 0.0) return;
-    elbow.R_AU *= Eigen::AngleAxisd(-beyond, Vector3d::UnitZ()).toRotationMatrix();
-    result_.notes.push_back("upper_arm: the zero of flexion was moved by " + Degrees(beyond) +
-                            " so that the elbow stretches to " + Degrees(kStretched) +
-                            ", not further");
-  }
-
-  // From the 1 % to the 99 % quantile of every angle.
-  std::vector<Figure> Ranges(const BallJoint& joint, const Elbow& elbow) const {
-    std::vector<double> flexion, carrying, pronation;
-    for (const Matrix3d& R_AB : joint.R_AB) {
-      const ElbowAngles angles = AnglesAt(elbow, R_AB, side());
-      flexion.push_back(angles.flexion / kDegree);
-      carrying.push_back(angles.carrying / kDegree);
-      pronation.push_back(angles.pronation / kDegree);
-    }
-    return {{"flexion_least_deg", Quantile(flexion, 0.01)},
-            {"flexion_most_deg", Quantile(flexion, 0.99)},
-            {"pronation_least_deg", Quantile(pronation, 0.01)},
-            {"pronation_most_deg", Quantile(pronation, 0.99)},
-            {"carrying_median_deg", Quantile(carrying, 0.5)},
-            {"carrying_least_deg", Quantile(carrying, 0.01)},
-            {"carrying_most_deg", Quantile(carrying, 0.99)}};
+  // What the places of the joints and the usual elbow say of the axes. At worst all that the shoulder
+  // strays goes along with the arm, and turns the line to it.
+  HingeAnatomy AnatomyFrom(const BallJoint& joint) const {
+    const double length = observations_.arm.segments.at(Segment::kUpperArm).p_distal_B.norm();
+    return {.side = side(),
+            .to_shoulder_A = -joint.shoulder_to_elbow_A.normalized(),
+            .to_shoulder_sd = std::hypot(joint.upper_sd / joint.shoulder_to_elbow_A.norm(),
+                                         observations_.arm.shoulder.sigma / length),
+            .to_elbow_B = -joint.elbow_to_sensor_B.normalized(),
+            .to_elbow_sd = std::hypot(joint.fore_sd / joint.elbow_to_sensor_B.norm(), kSeatSigma),
+            .elbow = observations_.arm.elbow};
   }
 
   // Whether the movement shows the axes; if not, what movement would.
-  bool IsTold(const BallJoint& joint, const HingeAxes& axes, const std::vector<Figure>& ranges) {
-    const double flexion = (ranges[1].value - ranges[0].value) * kDegree;
-    const double pronation = (ranges[3].value - ranges[2].value) * kDegree;
-    if (flexion < kLeastRange || axes.j1_sd > kLeastKnownAxis)
+  bool IsTold(const BallJoint& joint, const HingeAxes& axes, const Ranges& ranges) {
+    const double flexion = ranges.flexion.most - ranges.flexion.least;
+    const double pronation = ranges.pronation.most - ranges.pronation.least;
+    const double j1_sd = LargestSd(axes.j1_covariance), j2_sd = LargestSd(axes.j2_covariance);
+    if (flexion < kLeastRange || j1_sd > kLeastKnownAxis)
       Refuse("the elbow bends by " + Degrees(flexion) + " and its axis is known to " +
-             Degrees(axes.j1_sd) +
-             ": bend and stretch it by 60 deg or more, the arm in several "
-             "attitudes");
-    if (pronation < kLeastRange || axes.j2_sd > kLeastKnownAxis)
+             Degrees(j1_sd) +
+             ": bend and stretch it by 60 deg or more, the arm in several attitudes");
+    if (pronation < kLeastRange || j2_sd > kLeastKnownAxis)
       Refuse("the forearm turns by " + Degrees(pronation) + " and its axis is known to " +
-             Degrees(axes.j2_sd) + ": turn the palm up and down, with the elbow bent and straight");
+             Degrees(j2_sd) + ": turn the palm up and down, with the elbow bent and straight");
     if (joint.heading_sd > kLeastKnownHeading)
       Refuse("the heading of the forearm against the upper arm is known to " +
              Degrees(joint.heading_sd) + " only: move the elbow about the room, more briskly");
     return result_.faults.empty();
   }
 
-  void Keep(const Recording& recording, const BallJoint& joint, const HingeAxes& axes,
-            const Elbow& elbow) {
-    const bool upper = recording.segment == Segment::kUpperArm;
-    const Matrix3d R_BS = (upper ? elbow.R_AU : elbow.R_BF).transpose();
-    const double axis = std::hypot(upper ? axes.j1_sd : axes.j2_sd, joint.heading_sd, floor_);
-    const double zero = upper ? elbow.flexion_zero_sd : elbow.pronation_zero_sd;
-    SegmentCalibration found{.segment = recording.segment, .mounting = {}, .figures = {}};
-    if (recording.mounting) found.mounting = *recording.mounting;
-    found.mounting.q_BS = Quaterniond(R_BS);
-    found.mounting.q_sigma = std::max(axis, zero);
-    if (!recording.mounting) {
-      found.mounting.p_BS_B = R_BS * (upper ? joint.elbow_to_sensor_A : joint.elbow_to_sensor_B);
-      if (upper)
-        found.mounting.p_BS_B += observations_.arm.segments.at(recording.segment).p_distal_B;
-      found.mounting.p_sigma = std::hypot(kPlaceSigma, joint.fore_sd);
-    }
-    const double zero_about_y = upper ? axis : zero, zero_about_z = upper ? zero : axis;
-    found.figures = {{"rx_sd_deg", axis / kDegree},
-                     {"ry_sd_deg", zero_about_y / kDegree},
-                     {"rz_sd_deg", zero_about_z / kDegree}};
-    if (upper) {
-      const Vector3d line_A = -joint.shoulder_to_elbow_A;
-      found.figures.push_back(
-          {"z_from_line_to_shoulder_deg", AngleBetween(line_A, elbow.R_AU.col(2)) / kDegree});
-    } else {
-      found.figures.push_back(
-          {"y_from_line_to_elbow_deg",
-           AngleBetween(-joint.elbow_to_sensor_B, elbow.R_BF.col(1)) / kDegree});
-      found.figures.push_back({"adduction_rms_deg", axes.misfit / kDegree});
-      found.figures.push_back({"adduction_rms_of_next_axes_deg", axes.next_misfit / kDegree});
-      found.figures.push_back({"relative_heading_sd_deg", joint.heading_sd / kDegree});
-    }
-    result_.segments.push_back(found);
+  static double LargestSd(const Matrix3d& covariance) {
+    return std::sqrt(Eigen::SelfAdjointEigenSolver<Matrix3d>(covariance).eigenvalues()[2]);
   }
 
-  void TellLimits(const StartPose& pose) {
-    const std::string known = assumed_ ? "an arm that hangs with its thumb forward when the "
-                                         "recordings begin, which is assumed"
-                                       : "the told start pose";
+  struct Found {
+    Matrix3d R_BS;
+    Vector3d sds;  // about the segment's axes [rad]
+    Vector3d p_BS_B;
+    double p_sd;
+    std::vector<Figure> figures;
+  };
+
+  Found UpperArm(const BallJoint& joint, const HingeAxes& axes, const ElbowZeros& zeros) const {
+    const Matrix3d& R_AU = zeros.frames.R_AU;
+    const auto sd = [&](int axis) {
+      return AxisSd(joint, SdAbout(R_AU.col(axis), axes.j1_A, axes.j1_covariance));
+    };
+    const Vector3d line_A = -joint.shoulder_to_elbow_A;
+    return {
+        .R_BS = R_AU.transpose(),
+        .sds = {sd(0), sd(1), zeros.flexion_sd},
+        .p_BS_B = observations_.arm.segments.at(Segment::kUpperArm).p_distal_B +
+                  R_AU.transpose() * joint.elbow_to_sensor_A,
+        .p_sd = joint.fore_sd,
+        .figures = {{"z_from_line_to_shoulder_deg", AngleBetween(line_A, R_AU.col(2)) / kDegree}}};
+  }
+
+  Found Forearm(const BallJoint& joint, const HingeAxes& axes, const ElbowZeros& zeros) const {
+    const Matrix3d& R_BF = zeros.frames.R_BF;
+    const auto sd = [&](int axis) {
+      return AxisSd(joint, SdAbout(R_BF.col(axis), axes.j2_B, axes.j2_covariance));
+    };
+    std::vector<Figure> figures = {
+        {"y_from_line_to_elbow_deg", AngleBetween(-joint.elbow_to_sensor_B, R_BF.col(1)) / kDegree},
+        {"adduction_rms_deg", axes.misfit / kDegree},
+        {"relative_heading_sd_deg", joint.heading_sd / kDegree}};
+    for (const Figure& figure : FiguresOf(RangesOf(joint, zeros.frames, side())))
+      figures.push_back(figure);
+    return {.R_BS = R_BF.transpose(),
+            .sds = {sd(0), zeros.pronation_sd, sd(2)},
+            .p_BS_B = R_BF.transpose() * joint.elbow_to_sensor_B,
+            .p_sd = joint.fore_sd,
+            .figures = figures};
+  }
+
+  double AxisSd(const BallJoint& joint, double of_axis) const {
+    return Eigen::Vector3d(of_axis, joint.heading_sd, floor_).norm();
+  }
+
+  void Keep(const Recording& recording, const Found& found) {
+    Mounting mounting = recording.mounting.value_or(
+        Mounting{.p_BS_B = found.p_BS_B, .p_sigma = std::hypot(kPlaceSigma, found.p_sd)});
+    mounting.q_BS = Quaterniond(found.R_BS);
+    mounting.q_sigma = found.sds.maxCoeff();
+    std::vector<Figure> figures = {{"rx_sd_deg", found.sds.x() / kDegree},
+                                   {"ry_sd_deg", found.sds.y() / kDegree},
+                                   {"rz_sd_deg", found.sds.z() / kDegree}};
+    figures.insert(figures.end(), found.figures.begin(), found.figures.end());
+    result_.segments.push_back(
+        {.segment = recording.segment, .mounting = mounting, .figures = figures});
+  }
+
+  void TellLimits(const StartPose& pose, const ElbowZeros& zeros) {
+    const std::string known = observations_.start_pose ? "the told start pose"
+                                                       : "an arm that hangs with its thumb forward "
+                                                         "when the recordings begin, which is "
+                                                         "assumed";
     result_.notes.push_back(
         "forearm: no movement of the elbow shows the zero of pronation (the rotation of the sensor "
         "about the forearm); it comes from " +
@@ -245,7 +217,22 @@ class SelfCalibration {
         "upper_arm: no movement of the elbow shows the zero of flexion (the rotation of the sensor "
         "about the flexion axis); it comes from the line between elbow and shoulder, as "
         "acceleration shows it, and " +
-        known);
+        known + ", to " + Degrees(zeros.flexion_sd));
+    if (zeros.moved > 0.0)
+      result_.notes.push_back("upper_arm: the zero of flexion was moved by " +
+                              Degrees(zeros.moved) +
+                              ", for the elbow would have overstretched by as much");
+  }
+
+  void TellDeparture(const HingeAxes& axes) {
+    const ModelOptions model;
+    const double allowed =
+        std::hypot(model.elbow_adduction_sigma_deg, model.elbow_wobble_sigma_deg) * kDegree;
+    if (axes.misfit > allowed)
+      result_.notes.push_back(
+          "the elbow departs from any two axes by " + Degrees(axes.misfit) +
+          " rms: skin turns under the sensors, or one slipped; the carrying angle will not come "
+          "out constant, and flexion and pronation are uncertain by as much at times");
   }
 
   void Refuse(const std::string& why) { result_.faults.push_back(why); }
@@ -253,7 +240,6 @@ class SelfCalibration {
 
   const Observations& observations_;
   double floor_;
-  bool assumed_ = false;
   Calibration result_;
 };
 
