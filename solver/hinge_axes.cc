@@ -18,8 +18,8 @@ constexpr double kUsualAdduction = 5 * kDegree;  // rms
 constexpr double kUsualCount = 4.0;              // residuals that this size counts for
 constexpr double kUsualMemory = 10.0;            // residuals that count as one, to begin with
 constexpr double kLeastTurn = 2 * kDegree;
-constexpr int kStarts = 12;
-constexpr int kReweightings = 3;
+constexpr int kStarts = 8;
+constexpr int kWeightings = 3;
 
 struct Unknowns {
   Vector3d j1, j2;
@@ -31,19 +31,32 @@ struct Weight {
   double memory = kUsualMemory;  // m
 };
 
+// The elbow's departure from its hinge [rad], and how much of a turn of the upper arm's sensor about
+// y_U it takes for departure.
+template <typename T>
+struct Departure {
+  T angle, gain;
+};
+
 struct Adduction {
   Matrix3d R_AB;
   Vector3d to_shoulder_A;
   double s;
 
   template <typename T>
-  bool operator()(const T* j1_data, const T* j2_data, const T* carrying, T* r) const {
+  Departure<T> Of(const T* j1_data, const T* j2_data, const T* carrying) const {
     const Eigen::Map<const Eigen::Vector3<T>> j1(j1_data), j2(j2_data);
     const Eigen::Vector3<T> y_F = R_AB.cast<T>() * j2;
     const Eigen::Vector3<T> l = to_shoulder_A.cast<T>();
     const Eigen::Vector3<T> y_U = (l - l.dot(j1) * j1).normalized();
     const T k = carrying[0] + carrying[1] * y_U.dot(y_F);
-    r[0] = (j1.dot(y_F) + s * sin(k)) / cos(k);
+    return {(j1.dot(y_F) + s * sin(k)) / cos(k), j1.dot(y_U.cross(y_F))};
+  }
+
+  template <typename T>
+  bool operator()(const T* j1, const T* j2, const T* carrying, T* r) const {
+    const Departure<T> departure = Of(j1, j2, carrying);
+    r[0] = departure.angle / sqrt(1.0 + departure.gain * departure.gain);
     return true;
   }
 };
@@ -199,9 +212,15 @@ Weight WeightFrom(const std::vector<double>& r) {
   return {.sigma = std::sqrt((square + usual) / (count + kUsualCount)), .memory = memory};
 }
 
-double RmsOf(const std::vector<double>& r) {
-  return std::sqrt(std::inner_product(r.begin(), r.end(), r.begin(), 0.0) /
-                   static_cast<double>(r.size()));
+double RmsDeparture(const std::vector<Matrix3d>& R_AB, const HingeAnatomy& anatomy,
+                    const Unknowns& x) {
+  double square = 0.0;
+  for (const Matrix3d& R : R_AB) {
+    const Adduction adduction{R, anatomy.to_shoulder_A, Sign(anatomy.side)};
+    const double angle = adduction.Of(x.j1.data(), x.j2.data(), x.carrying.data()).angle;
+    square += angle * angle;
+  }
+  return std::sqrt(square / static_cast<double>(R_AB.size()));
 }
 
 }  // namespace
@@ -210,17 +229,18 @@ HingeAxes FindHingeAxes(const std::vector<Matrix3d>& R_AB, const HingeAnatomy& a
   const std::vector<Matrix3d> moving = Moving(R_AB);
   Unknowns x = Search(moving, anatomy);
   Weight weight;
-  HingeAxes axes;
-  for (int i = 0; i < kReweightings; ++i) {
+  for (int i = 0; i < kWeightings; ++i) {
     HingeProblem problem(moving, anatomy, weight, x);
     problem.Solve();
-    const std::vector<double> residuals = problem.Residuals(moving.size());
-    weight = WeightFrom(residuals);
-    axes.misfit = RmsOf(residuals);
-    problem.SetCovariance(axes);
+    weight = WeightFrom(problem.Residuals(moving.size()));
   }
+  HingeProblem problem(moving, anatomy, weight, x);
+  problem.Solve();
+  HingeAxes axes;
+  problem.SetCovariance(axes);
   axes.j1_A = x.j1;
   axes.j2_B = x.j2;
+  axes.misfit = RmsDeparture(moving, anatomy, x);
   return axes;
 }
 

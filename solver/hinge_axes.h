@@ -6,12 +6,15 @@
 // elbow_adduction.h holds, here of axes:
 //   r_i = (j1ᵀ R_AB,i j2 + s sin k_i) / cos k_i,    k_i = k0 + k1 (y_U · R_AB,i j2),
 // s = +1 right, -1 left; y_U is l, from elbow to shoulder in A, made square to j1. Least squares over
-//   Σ r_i²/(σ² m) + (k0 - k)²/σ_k² + k1²/σ_k1² + (l · j1)²/σ_l² + |j2 × u|²/σ_u²,
-// u from the forearm's sensor to the elbow in B.
+//   Σ r_i²/(σ² (1 + g_i²) m) + (k0 - k)²/σ_k² + k1²/σ_k1² + (l · j1)²/σ_l² + |j2 × u|²/σ_u²,
+// u from the forearm's sensor to the elbow in B, g = j1 · (y_U × R_AB j2).
 // Instants    those between which the elbow turned by 2 deg: a rest counts once, however long it is.
 // Start       j2 along u, j1 in turn in all directions square to l; the cheapest minimum that bends
 //             counts: Σ j1 · (l × R_AB,i j2) > 0.
-// Weight      the elbow departs from its hinge for a while, not anew at every instant: of N residuals
+// Weight      σ is the elbow's departure from its hinge and, as much again, the turning of the skin under
+//             the upper arm's sensor about the long axis, of which r takes the share g. Left out, that
+//             turning draws the axes to where it shows least: 5 deg off on skin of 8 deg, with it 3.
+//             The elbow departs from its hinge for a while, not anew at every instant: of N residuals
 //             N/m count, m = 1 + 2 Σ ρ_n over their autocorrelation until it crosses zero. σ² from the
 //             residuals, together with a handful (4) of the usual size, 5 deg.
 // Covariance  of that least-squares problem.

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "problems/model_options.h"
 #include "problems/statistics.h"
@@ -16,13 +17,17 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Quaterniond, Eigen::Vector3d;
 
-constexpr double kShortest = 10.0;                   // [s]
-constexpr double kLeastRange = 30 * kDegree;         // of flexion and of pronation
-constexpr double kLeastKnownAxis = 12 * kDegree;     // sd
-constexpr double kLeastKnownHeading = 15 * kDegree;  // sd
+constexpr double kShortest = 10.0;            // [s]
+constexpr double kLeastRange = 30 * kDegree;  // of flexion and of pronation
+constexpr double kMostFlexion = 180 * kDegree, kMostPronation = 200 * kDegree;  // ranges
+constexpr double kLeastKnownAxis = 12 * kDegree;                                // sd
+constexpr double kLeastKnownHeading = 15 * kDegree;                             // sd
 // A sensor on the skin lies up to 5 cm off the forearm's axis, 15 cm from the elbow.
 constexpr double kSeatSigma = 20 * kDegree;
-constexpr double kPlaceSigma = 0.01;  // of a sensor, skin giving way [m]
+constexpr double kNearest = 0.05, kFarthest = 0.35;  // from the elbow to the forearm's sensor [m]
+constexpr double kPlaceSigma = 0.01;                 // of a sensor, skin giving way [m]
+
+std::string Centimetres(double length) { return std::to_string(std::lround(100 * length)) + " cm"; }
 
 // Rotation by φ about an axis square to `direction` moves that by φ times the third.
 double SdAbout(const Vector3d& axis, const Vector3d& direction, const Matrix3d& covariance) {
@@ -95,6 +100,7 @@ class SelfCalibration {
     if (!joint) return Refuse(why);
     if (joint->time.back() - joint->time.front() < kShortest)
       return Refuse("both sensors together cover less than 10 s: record 10 s or more of movement");
+    if (!IsPlaced(*joint)) return;
     const HingeAnatomy anatomy = AnatomyFrom(*joint);
     const HingeAxes axes = FindHingeAxes(joint->R_AB, anatomy);
     const ElbowFrames frames = FramesFrom(axes.j1_A, axes.j2_B, anatomy.to_shoulder_A);
@@ -109,6 +115,17 @@ class SelfCalibration {
     Keep(forearm, Forearm(*joint, axes, zeros));
     TellLimits(*pose, zeros);
     TellDeparture(axes);
+  }
+
+  // Whether the elbow is seen where it can be. Shaken more by skin and straps than moved by the arm,
+  // sensors seem to turn about themselves.
+  bool IsPlaced(const BallJoint& joint) {
+    const double apart = joint.elbow_to_sensor_B.norm();
+    if (apart >= kNearest && apart <= kFarthest) return true;
+    Refuse("the elbow is seen " + Centimetres(apart) + " from the forearm's sensor, where " +
+           Centimetres(kNearest) + " to " + Centimetres(kFarthest) +
+           " can be: move the elbow about the room, more briskly, with sensors that sit tight");
+    return false;
   }
 
   // What the places of the joints and the usual elbow say of the axes. At worst all that the shoulder
@@ -136,6 +153,9 @@ class SelfCalibration {
     if (pronation < kLeastRange || j2_sd > kLeastKnownAxis)
       Refuse("the forearm turns by " + Degrees(pronation) + " and its axis is known to " +
              Degrees(j2_sd) + ": turn the palm up and down, with the elbow bent and straight");
+    if (flexion > kMostFlexion || pronation > kMostPronation)
+      Refuse("the elbow would bend by " + Degrees(flexion) + " and the forearm turn by " +
+             Degrees(pronation) + ", which none does: the sensors cannot be followed");
     if (joint.heading_sd > kLeastKnownHeading)
       Refuse("the heading of the forearm against the upper arm is known to " +
              Degrees(joint.heading_sd) + " only: move the elbow about the room, more briskly");
