@@ -49,12 +49,10 @@ const CommandHelp kHelp = {
     "recordings that carry the maker's orientation. The clusters of a reference whose frames are "
     "clusters are calibrated by the same movements. Refuses, with the reason, what cannot be "
     "calibrated. Where on the segment a sensor sits is not found: measure it. With --from=motion "
-    "the "
-    "sensors of upper arm and forearm are calibrated from whatever the arm does: the axes of "
-    "flexion "
-    "and of pronation, and where the sensors sit, from the movement; the zero of pronation from "
-    "the "
-    "start pose."};
+    "the sensors of upper arm and forearm are calibrated from whatever the elbow does: its axes, "
+    "and "
+    "where the sensors sit, from the movement; the zeros of flexion and of pronation, which no "
+    "movement shows, from the line to the shoulder and from the start pose."};
 
 nlohmann::ordered_json ReportOf(const Calibration& calibration) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();

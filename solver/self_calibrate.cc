@@ -124,7 +124,8 @@ class SelfCalibration {
     if (apart >= kNearest && apart <= kFarthest) return true;
     Refuse("the elbow is seen " + Centimetres(apart) + " from the forearm's sensor, where " +
            Centimetres(kNearest) + " to " + Centimetres(kFarthest) +
-           " can be: move the elbow about the room, more briskly, with sensors that sit tight");
+           " can be: bend and stretch it and turn the palm up and down, about the room and more "
+           "briskly, with sensors that sit tight");
     return false;
   }
 

@@ -10,7 +10,8 @@
 //            upper arm's from the elbow and the told length.
 // Sds        per axis as figures: what the axes leave open, the relative heading and a floor, or those
 //            of the zeros; q_sigma, one number, is the largest of a segment's three.
-// Refused    less than 10 s; an elbow that is hardly bent, or a forearm hardly turned; axes known to
+// Refused    less than 10 s; an elbow that is seen where none can be, as where the arm moves less than
+//            skin and straps do; an elbow that is hardly bent, or a forearm hardly turned; axes known to
 //            less than 12 deg; a relative heading that acceleration does not hold; no pose for the
 //            zero of pronation.
 // Blind to   what moves with the motion: skin under the sensor of the upper arm turns less than the

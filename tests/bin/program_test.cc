@@ -235,7 +235,8 @@ TEST_F(Program, RefusesToCalibrateFromAnArmThatHangsStill) {
   const Outcome outcome =
       Run({"calibrate", "--from=motion", "--trial=" + trial, "--output=" + Path("out.json")});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("bend and stretch it"), HasSubstr("palm up and down")));
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("bend and stretch it"), HasSubstr("the palm up and down")));
   EXPECT_FALSE(std::filesystem::exists(Path("out.json")));
   EXPECT_EQ(Run({"calibrate", "--from=thin_air", "--trial=" + trial, "--output=x"}).exit_code, 1);
 }
