@@ -50,8 +50,7 @@ const CommandHelp kHelp = {
     "clusters are calibrated by the same movements. Refuses, with the reason, what cannot be "
     "calibrated. Where on the segment a sensor sits is not found: measure it. With --from=motion "
     "the sensors of upper arm and forearm are calibrated from whatever the elbow does: its axes, "
-    "and "
-    "where the sensors sit, from the movement; the zeros of flexion and of pronation, which no "
+    "and where the sensors sit, from the movement; the zeros of flexion and of pronation, which no "
     "movement shows, from the line to the shoulder and from the start pose."};
 
 nlohmann::ordered_json ReportOf(const Calibration& calibration) {
