@@ -69,20 +69,20 @@ ElbowFrames FramesFrom(const Vector3d& j1_A, const Vector3d& j2_B, const Vector3
   return {.R_AU = FromYZ(Y_U, j1_A), .R_BF = FromYZ(j2_B, j2_B.unitOrthogonal())};
 }
 
-std::optional<StartPose> PoseForZeros(const Observations& observations, const BallJoint& joint,
-                                      const ElbowFrames& frames) {
+std::optional<HeldPose> PoseForZeros(const Observations& observations, const BallJoint& joint,
+                                     const ElbowFrames& frames) {
   if (observations.start_pose && observations.start_pose->forearm_pronation)
     return observations.start_pose;
   if (!Hangs(observations, joint, frames)) return std::nullopt;
-  return StartPose{.time = joint.time.front() + kStart / 2,
-                   .elbow_flexion = 10 * kDegree,
-                   .forearm_pronation = 90 * kDegree,
-                   .shoulder_elevation = {},
-                   .sigma = kAssumedPoseSigma};
+  return HeldPose{.time = joint.time.front() + kStart / 2,
+                  .elbow_flexion = 10 * kDegree,
+                  .forearm_pronation = 90 * kDegree,
+                  .shoulder_elevation = {},
+                  .sigma = kAssumedPoseSigma};
 }
 
 ElbowZeros SetZeros(const BallJoint& joint, ElbowFrames frames, double line_sd,
-                    const StartPose& pose, Side side) {
+                    const HeldPose& pose, Side side) {
   const ElbowAngles then = frames.AnglesAt(At(joint, pose.time), side);
   const double weight_of_line = 1 / (line_sd * line_sd);
   const double weight_of_pose = pose.elbow_flexion ? 1 / (pose.sigma * pose.sigma) : 0.0;

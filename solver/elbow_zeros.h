@@ -40,11 +40,11 @@ struct ElbowZeros {
 
 // The told start pose, where it has a pronation; else that of a hanging arm, where the recordings begin
 // with one.
-std::optional<StartPose> PoseForZeros(const Observations& observations, const BallJoint& joint,
-                                      const ElbowFrames& frames);
+std::optional<HeldPose> PoseForZeros(const Observations& observations, const BallJoint& joint,
+                                     const ElbowFrames& frames);
 
 // `line_sd` is that of the line from elbow to shoulder [rad].
 ElbowZeros SetZeros(const BallJoint& joint, ElbowFrames frames, double line_sd,
-                    const StartPose& pose, Side side);
+                    const HeldPose& pose, Side side);
 
 }  // namespace brachium

@@ -225,7 +225,7 @@ class SelfCalibration {
         {.segment = recording.segment, .mounting = mounting, .figures = figures});
   }
 
-  void TellLimits(const StartPose& pose, const ElbowZeros& zeros) {
+  void TellLimits(const HeldPose& pose, const ElbowZeros& zeros) {
     const std::string known = observations_.start_pose ? "the told start pose"
                                                        : "an arm that hangs with its thumb forward "
                                                          "when the recordings begin, which is "

@@ -33,7 +33,7 @@ ElbowFrames Frames(double too_much) {
   return FramesFrom(kQ_AU * Vector3d::UnitZ(), kQ_BF * Vector3d::UnitY(), kQ_AU * line_U);
 }
 
-StartPose Pose(double sigma) {
+HeldPose Pose(double sigma) {
   return {.time = 0.0,
           .elbow_flexion = 10 * kDegree,
           .forearm_pronation = 90 * kDegree,

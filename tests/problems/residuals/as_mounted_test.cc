@@ -61,7 +61,7 @@ TEST(AsMounted, HearsNothingFromAnElbowOfTheZerosOfFlexionAndPronation) {
 
 TEST(AsMounted, DerivativesAgree) {
   EXPECT_TRUE(DerivativesAgreeAtRandomPoints(AsMounted(SegmentChain<2>(0.5))));
-  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(AsMounted(ElevationStartPose(0.4, 0.2))));
+  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(AsMounted(ElevationHeldPose(0.4, 0.2))));
   EXPECT_TRUE(DerivativesAgreeAtRandomPoints(
       AsMounted(ElbowHeldPose(ElbowAngle::kPronation, Side::kLeft, 0.3, 0.2))));
 }
