@@ -27,7 +27,7 @@ Observations AsBallJoint(Observations observations) {
   observations.arm.shoulder.sigma = kUnknownPlace;
   std::erase_if(observations.recordings, std::not_fn(IsOfTheElbow));
   for (Recording& recording : observations.recordings) {
-    recording.mounting = Mounting{.p_sigma = kUnknownPlace};
+    recording.mounting = Mounting{.q_sigma = 0.0, .p_sigma = kUnknownPlace};
     observations.arm.segments[recording.segment] = {.sigma = kUnknownPlace};
   }
   return observations;

@@ -122,13 +122,13 @@ const BadJson kBadJson[] = {
      [](auto& j) {
        j["contacts"] = {{{"point", "wrist"}, {"at_s", {0.5, 77}}}};
      },
-     "77", "expected a time within the recordings, 0 to 1.99 s"},
+     "\"at_s\": [", "expected a time within the recordings, 0 to 1.99 s"},
     {"ContactAtAPlaceTwice",
      [](auto& j) {
        j["contacts"] = {{{"point", "wrist"}, {"at_s", {0.5}}, {"place", "cup"}},
-                        {{"point", "elbow"}, {"at_s", {0.7}}, {"place", "cup"}}};
+                        {{"point", "elbow"}, {"at_s", {0.7}}, {"place", "cup"}, {"sigma_m", 0.02}}};
      },
-     "contacts", "is the place 'cup' again"},
+     "\"cup\",", "is the place 'cup' again"},
     {"ContactOfUnknownAxes",
      [](auto& j) {
        j["contacts"] = {{{"point", "wrist"}, {"at_s", {0.5}}, {"axes", "x"}}};

@@ -68,7 +68,8 @@ Trial MakeTrial() {
   observations.start_pose->time = 0.1;
   observations.start_pose->forearm_pronation = 0.4;
   observations.start_pose->sigma = 0.2;
-  observations.end_pose = HeldPose{.time = 0.2, .elbow_flexion = 0.3};
+  observations.end_pose = HeldPose{
+      .time = 0.2, .elbow_flexion = 0.3, .forearm_pronation = {}, .shoulder_elevation = {}};
   observations.contacts = {
       {.place = "cup", .segment = Segment::kForearm, .times = {0.05, 0.2}, .sigma = 0.02},
       {.place = "desk", .segment = Segment::kUpperArm, .times = {0.1, 0.15}, .height_only = true}};

@@ -234,15 +234,17 @@ TEST(ArmProblem, HasOneOfEachMeasurementPerSensorAndInterval) {
 
 TEST(ArmProblem, HoldsAPoseAtTheKnotOfItsInstantAtEitherEnd) {
   StillArm arm(kElbow);
-  arm.observations.start_pose = HeldPose{.time = 0.5, .elbow_flexion = 0.7};
-  arm.observations.end_pose =
-      HeldPose{.time = 11.3, .elbow_flexion = 0.7, .forearm_pronation = 1.2};
+  arm.observations.start_pose = HeldPose{
+      .time = 0.5, .elbow_flexion = 0.7, .forearm_pronation = {}, .shoulder_elevation = {}};
+  arm.observations.end_pose = HeldPose{
+      .time = 11.3, .elbow_flexion = 0.7, .forearm_pronation = 1.2, .shoulder_elevation = {}};
   const ArmProblem problem = arm.Problem();
   EXPECT_EQ(Count(problem, ResidualKind::kStartPose), 1);
   EXPECT_EQ(Count(problem, ResidualKind::kEndPose), 2);
-  for (const Term& term : problem.terms())
-    if (term.kind == ResidualKind::kEndPose)
-      EXPECT_NEAR(problem.timeline().knots[static_cast<std::size_t>(term.first_knot)], 11.3, 0.1);
+  for (const Term& term : problem.terms()) {
+    if (term.kind != ResidualKind::kEndPose) continue;
+    EXPECT_NEAR(problem.timeline().knots[static_cast<std::size_t>(term.first_knot)], 11.3, 0.1);
+  }
 }
 
 TEST(ArmProblem, TouchesAtTheNearestKnotOnceHoweverOftenItIsNamed) {
