@@ -122,8 +122,9 @@ struct ErrorFlags {
     visit("tell_end_pose", flags.tell_end_pose,
           "State the pose of the rest at the end in trial.json.");
     visit("tell_contacts", flags.tell_contacts,
-          "State in trial.json when a point of the arm is at the same place: nine_hole_peg_test, "
-          "the fingertip at the bowl and at the height of the desk.");
+          "State in trial.json when a point of the arm is at the same place: rectangle, the "
+          "wrist at the corners; nine_hole_peg_test, the fingertip at the bowl and at the height "
+          "of the desk.");
     visit("tell_mountings", flags.tell_mountings,
           "State the mountings in trial.json; without them it needs brachium calibrate.");
     visit("tell_carrying_angle", flags.tell_carrying_angle,

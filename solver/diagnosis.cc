@@ -111,7 +111,7 @@ std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, Sta
     r.resize(U(term.cost->num_residuals()));
     term.cost->Evaluate(values.data(), r.data(), nullptr);
     std::string name(Name(term.kind));
-    if (term.sensor >= 0) name += "/" + SegmentName(problem, term.sensor);
+    if (term.sensor >= 0) name.append("/").append(SegmentName(problem, term.sensor));
     auto& [count, squares] = entry(name);
     count += r.size();
     for (const double value : r) squares += value * value;

@@ -42,48 +42,6 @@ double ErrorBetween(const Estimate& estimate, const Reference& reference, Segmen
   return RmsAngle(between(estimate.q_WB), between(reference.q_VB));
 }
 
-// What a person with four sensors does at a board, with poses and places told or not.
-struct PegTest {
-  Trial trial;
-  Observations untold;
-
-  PegTest() {
-    ScenarioOptions options{.name = "nine_hole_peg_test", .seed = 2};
-    options.duration = UsualDuration(options);
-    SimulationOptions errors;
-    errors.tell_contacts = true;
-    trial = Simulate(MakeScenario(options), errors).trial;
-    untold = trial.observations;
-    untold.contacts.clear();
-  }
-};
-
-// Mean over the trial of the fingertip's standard deviation [m].
-double FingertipSd(const Estimate& estimate) {
-  double sum = 0.0;
-  for (const Vector3d& sd : estimate.sd_W.at("hand")) sum += sd.norm();
-  return sum / static_cast<double>(estimate.time.size());
-}
-
-TEST(Contacts, MakeTheFingertipMoreCertain) {
-  const PegTest test;
-  EXPECT_LT(FingertipSd(Smoothed(test.trial.observations)),
-            0.9 * FingertipSd(Smoothed(test.untold)));
-}
-
-TEST(Contacts, AreUnderstoodByWindowsAlone) {
-  const PegTest test;
-  const Estimate estimate =
-      BatchSmoother({.whole_trial = false, .model = {}}).Run(test.trial.observations);
-  EXPECT_FALSE(estimate.diagnostics.singular);
-  const auto& tip = estimate.p_W.at("hand");
-  const auto at = [&](double time) {
-    return tip[static_cast<std::size_t>(std::lround(time * 100.0 - 0.5))];
-  };
-  const std::vector<double>& times = test.trial.observations.contacts[0].times;
-  for (const double time : times) EXPECT_LT((at(time) - at(times.front())).norm(), 0.06);
-}
-
 TEST(OneSensorAlone, IsDeadReckonedFromRestToRest) {
   const Scenario scenario = MakeScenario(BriskScenario(16));
   Trial trial = Simulate(scenario, {}).trial;
