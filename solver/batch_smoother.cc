@@ -36,6 +36,7 @@ void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions
   diagnostics.gradient_norm = summary.gradient_norm;
   diagnostics.converged = summary.converged;
   diagnostics.termination = summary.message;
+  if (options.solver == SolverKind::kCeres) workspace.Linearise(problem, state);
 }
 
 // Sensors that feel more than this beside what rigid segments explain move on them, and what they
@@ -48,6 +49,24 @@ bool OnSkin(const ArmProblem& problem) {
                      [](const Unmodelled& left) { return left.acceleration > kOnSkin; });
 }
 
+// The linear effect of a clock is good for this much of it [s].
+constexpr double kClockReach = 0.005;
+constexpr int kMostSums = 4;
+
+// Sums the samples again where a clock was found further than that from where it was taken to be;
+// says whether it did.
+bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
+  double moved = 0.0;
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+    moved = std::max(moved, std::abs(*state.Constant(UnknownKind::kClockOffset, sensor) -
+                                     problem.Interval(0, sensor).clock_offset));
+  if (moved <= kClockReach) return false;
+  problem.SumAgain(state);
+  workspace.plan = FrontPlan(problem);
+  workspace.Linearise(problem, state);
+  return true;
+}
+
 // Rms of the whitened residuals over their degrees of freedom: 1 where the model is right.
 double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
   double count = 0.0, squares = 0.0;
@@ -56,13 +75,6 @@ double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
     squares += static_cast<double>(kind.count) * kind.rms * kind.rms;
   }
   return std::sqrt(squares / (count - unknowns));
-}
-
-// Which recording is of that segment, which there is.
-int SensorOn(const Observations& observations, Segment segment) {
-  int sensor = 0;
-  while (observations.recordings[static_cast<std::size_t>(sensor)].segment != segment) ++sensor;
-  return sensor;
 }
 
 }  // namespace
@@ -94,25 +106,28 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
 
   const Observations prepared = Prepared(observations, options_);
   ArmProblem problem(prepared, options_.model, options_.knot_spacing_s,
-                     SensorOn(prepared, observations.recordings.front().segment));
+                     observations.recordings.front().segment);
   stage("preintegration");
 
   const SolverKind solver = SolverNamed(options_.solver).value();
   State state = problem.PriorState();
   const bool judges_skin = options_.whole_trial && options_.weight_iterations > 0;
   if (!judges_skin) problem.HoldMountings(state);
-  const WindowReport windows = SolveForward(problem, state,
-                                            {.length = options_.window_s,
-                                             .advance = options_.window_advance_s,
-                                             .only_a_start = options_.whole_trial,
-                                             .solver = solver},
-                                            progress);
+  const WindowReport windows =
+      SolveForward(problem, state,
+                   {.length = options_.window_s,
+                    .advance = options_.whole_trial ? options_.window_s : options_.window_advance_s,
+                    .only_a_start = options_.whole_trial,
+                    .solver = solver},
+                   progress);
   stage("windows");
 
   // The weights first, with lever arms and scales as told: free ones would absorb what the model
   // leaves out, and the weights would confirm them.
   ChainWorkspace workspace(problem);
-  for (int i = 0; i < options_.weight_iterations && options_.whole_trial; ++i) {
+  int sums = kMostSums;
+  bool followed = false;
+  for (int i = 0; i < options_.weight_iterations && options_.whole_trial; i += followed ? 0 : 1) {
     if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
     SolveWholeTrial(problem, state,
                     {.solver = solver,
@@ -121,30 +136,35 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
                      .threads = options_.threads,
                      .hold_geometry = i + 1 < options_.weight_iterations},
                     workspace, diagnostics);
+    followed = sums-- > 0 && FollowsClocks(problem, state, workspace);
     problem.SetUnmodelled(EstimateUnmodelled(problem, state, workspace));
   }
   const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
   if (on_skin) problem.HoldMountings(state);
   if (progress) progress("whole trial", 0.9);
-  if (options_.whole_trial)
+  for (int i = 0; i < kMostSums && options_.whole_trial; ++i) {
     SolveWholeTrial(
         problem, state,
         {.solver = solver, .most_iterations = 200, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
+    if (!FollowsClocks(problem, state, workspace)) break;
+  }
   stage("whole trial");
 
   FillTrajectory(problem, state, estimate);
   stage("trajectory");
 
+  // The last step was small, but what hardly anything holds is held less where it led to.
+  workspace.Linearise(problem, state);
   Certainty certainty;
   if (options_.covariance) {
     PoseCovariance poses(problem, state);
-    certainty = AssessCertainty(problem, state, &workspace, &poses);
+    certainty = AssessCertainty(problem, state, workspace, &poses);
     FillStandardDeviations(problem, poses, estimate);
     diagnostics.headings = DescribeHeadings(problem, state, poses);
     stage("covariance");
   } else {
-    certainty.singular = FindSingular(problem, state, workspace);
+    certainty.singular = workspace.sweep.Undetermined(workspace.plan);
   }
   diagnostics.singular = !certainty.singular.empty();
   diagnostics.residuals = DescribeResiduals(problem, state);

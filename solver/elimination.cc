@@ -51,7 +51,7 @@ Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedP
                         .last_knot = problem.size().knots,
                         .hand_on = true});
   workspace.sweep.Prepare(plan_);
-  workspace.sweep.Run(plan_, 0.0, &singular_);
+  workspace.sweep.Run(plan_, 0.0);
 }
 
 CarriedPrior Elimination::Carry() const {

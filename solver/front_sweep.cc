@@ -38,8 +38,9 @@ void FrontSweep::Prepare(const FrontPlan& plan) {
   term_.Reserve(plan.most_residuals(), plan.most_blocks(), plan.widest_term());
 }
 
-FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping, std::vector<int>* weak) {
+FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping) {
   damping_ = damping;
+  lost_.clear();
   std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
   std::fill(gradient_.begin(), gradient_.end(), 0.0);
   Sums sums;
@@ -48,12 +49,7 @@ FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping, std::vec
   for (const FrontPlan::Front& front : plan.fronts()) {
     TakeOver(plan, front, stride_before);
     for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) cost += AddTerm(plan, front, term);
-    const int raised = Eliminate(front);
-    sums.weak_pivots += raised;
-    if (raised > 0 && weak != nullptr)
-      for (const FrontPlan::Member& member : plan.Members(front))
-        if (member.column < front.eliminated)
-          weak->push_back(plan.variables()[U(member.variable)].unknown);
+    if (Eliminate(front)) lost_.push_back(static_cast<int>(&front - plan.fronts().data()));
     const double* y = Factor(front) + front.columns;
     for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
     stride_before = front.Stride();
@@ -109,7 +105,7 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
   return cost;
 }
 
-int FrontSweep::Eliminate(const FrontPlan::Front& front) {
+bool FrontSweep::Eliminate(const FrontPlan::Front& front) {
   const int stride = front.Stride();
   const double lost = damping_ > 0.0 ? kShareOfDamping * damping_ : kSingular;
   for (int k = 0; k < front.eliminated; ++k) {
@@ -119,8 +115,22 @@ int FrontSweep::Eliminate(const FrontPlan::Front& front) {
   }
   const int raised =
       FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());
+  bool is_lost = raised > 0;
+  for (int k = 0; k < front.eliminated; ++k) {
+    const double root = front_[U(k * stride + k)];
+    is_lost = is_lost || root * root < kSingular * diagonal_[U(front.first_column + k)];
+  }
   std::copy_n(front_.data(), front.eliminated * stride, factors_.data() + front.storage);
-  return raised;
+  return is_lost;
+}
+
+std::vector<int> FrontSweep::Undetermined(const FrontPlan& plan) const {
+  std::vector<int> unknowns;
+  for (const int front : lost_)
+    for (const FrontPlan::Member& member : plan.Members(plan.fronts()[U(front)]))
+      if (member.column < plan.fronts()[U(front)].eliminated)
+        unknowns.push_back(plan.variables()[U(member.variable)].unknown);
+  return unknowns;
 }
 
 double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
@@ -178,6 +188,13 @@ Eigen::VectorXd FrontSweep::KeptGradient(const FrontPlan& plan) const {
   for (int k = 0; k < g.size(); ++k)
     g[k] = before_[U((last.eliminated + k) * last.Stride() + last.columns)];
   return g;
+}
+
+void ChainWorkspace::Linearise(const ArmProblem& problem, State& state) {
+  const int knots = problem.size().knots;
+  plan.Build(problem, state, {}, {.end_knot = knots, .last_knot = knots, .leave_stops = true});
+  sweep.Prepare(plan);
+  sweep.Run(plan, 0.0);
 }
 
 }  // namespace brachium

@@ -20,16 +20,18 @@ class FrontSweep {
     double cost = 0.0;           // Σ ½ ρ(|r|²)
     double gradient_norm = 0.0;  // largest |∂cost/∂column|
     double length_2 = 0.0;       // Σ |y|²: squared length of the step in the metric of H
-    int weak_pivots = 0;         // that lost all digits and were raised
     bool IsFinite() const;
   };
 
   // Sets memory up for a plan; it is kept from one plan to the next.
   void Prepare(const FrontPlan& plan);
 
-  // Linearises and eliminates, with `damping` times the diagonal of JᵀJ added to it. Unknowns of
-  // fronts with a pivot that lost all digits are added to `weak`, unless it is null.
-  Sums Run(const FrontPlan& plan, double damping, std::vector<int>* weak = nullptr);
+  // Linearises and eliminates, with `damping` times the diagonal of JᵀJ added to it.
+  Sums Run(const FrontPlan& plan, double damping);
+
+  // Unknowns that the last pass eliminated in fronts with a pivot that lost all digits: they are not
+  // determined.
+  std::vector<int> Undetermined(const FrontPlan& plan) const;
 
   // The step of all columns that the last pass calls for, and by how much the linearised cost falls
   // with it. Requires a plan that hands nothing on.
@@ -54,7 +56,8 @@ class FrontSweep {
   void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
   double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                  const FrontPlan::PlannedTerm& term);
-  int Eliminate(const FrontPlan::Front& front);
+  // Says whether a pivot lost all digits.
+  bool Eliminate(const FrontPlan::Front& front);
   void GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
                   const std::vector<double>& columns);
 
@@ -63,12 +66,18 @@ class FrontSweep {
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> front_, before_;       // matrices of this front and of the last
   std::vector<double> least_, y_, d_;
+  std::vector<int> lost_;  // fronts of the last pass with a pivot that lost all digits
   TermSquare term_;
 };
 
 // Memory that successive plans and passes over one problem share.
 struct ChainWorkspace {
   explicit ChainWorkspace(const ArmProblem& problem) : plan(problem) {}
+
+  // A pass over the whole trial as it stands in `state`, for what is certain in it. Stops of joints
+  // are left out: they hold from one side only.
+  void Linearise(const ArmProblem& problem, State& state);
+
   FrontPlan plan;
   FrontSweep sweep;
 };

@@ -22,7 +22,8 @@ struct SolveOptions {
   // The search ends with a step that moves no linear combination of the unknowns by more than this
   // share of its standard deviation. Smaller: closer to the minimum, more iterations.
   double step_in_sd = 1e-4;
-  // Or with a step that, were the objective quadratic, lowers the cost by less than this share.
+  // Or before a step that, were the objective quadratic, lowers the cost by less than this share: the
+  // values that stand are then those at which the last pass was made.
   double least_decrease = 0.0;
   int threads = 1;             // of Ceres; the chain takes one
   bool hold_geometry = false;  // keep scales, lever arms and joint vectors as they are

@@ -112,10 +112,6 @@ Unmodelled Estimated(const ArmProblem& problem, int sensor, const Spread& accele
 
 std::vector<Unmodelled> EstimateUnmodelled(const ArmProblem& problem, State& state,
                                            ChainWorkspace& workspace) {
-  const int knots = problem.size().knots;
-  workspace.plan.Build(problem, state, {}, {.end_knot = knots, .last_knot = knots});
-  workspace.sweep.Prepare(workspace.plan);
-  workspace.sweep.Run(workspace.plan, 0.0);
   Residuals residuals(problem, state, workspace);
   std::vector<Spread> accelerations(U(problem.size().sensors)), quivers(accelerations);
   for (const Term& term : problem.terms()) {

@@ -15,7 +15,7 @@
 
 namespace brachium {
 
-// Of each sensor, linearised at `state`.
+// Of each sensor at `state`, at or next to which `workspace` made its last pass over the whole trial.
 std::vector<Unmodelled> EstimateUnmodelled(const ArmProblem& problem, State& state,
                                            ChainWorkspace& workspace);
 
