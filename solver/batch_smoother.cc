@@ -36,7 +36,6 @@ void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions
   diagnostics.gradient_norm = summary.gradient_norm;
   diagnostics.converged = summary.converged;
   diagnostics.termination = summary.message;
-  if (options.solver == SolverKind::kCeres) workspace.Linearise(problem, state);
 }
 
 // Sensors that feel more than this beside what rigid segments explain move on them, and what they
@@ -113,31 +112,35 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   State state = problem.PriorState();
   const bool judges_skin = options_.whole_trial && options_.weight_iterations > 0;
   if (!judges_skin) problem.HoldMountings(state);
+  // The first weights with lever arms and scales as told: free ones would absorb what the model
+  // leaves out, and the weights would confirm them.
+  UnmodelledSums left_by_windows(problem);
   const WindowReport windows =
       SolveForward(problem, state,
                    {.length = options_.window_s,
                     .advance = options_.whole_trial ? options_.window_s : options_.window_advance_s,
                     .only_a_start = options_.whole_trial,
-                    .solver = solver},
+                    .solver = solver,
+                    .unmodelled = judges_skin ? &left_by_windows : nullptr},
                    progress);
+  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate(problem));
   stage("windows");
 
-  // The weights first, with lever arms and scales as told: free ones would absorb what the model
-  // leaves out, and the weights would confirm them.
   ChainWorkspace workspace(problem);
   int sums = kMostSums;
   bool followed = false;
-  for (int i = 0; i < options_.weight_iterations && options_.whole_trial; i += followed ? 0 : 1) {
+  for (int i = 1; i < options_.weight_iterations && options_.whole_trial; i += followed ? 0 : 1) {
     if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
     SolveWholeTrial(problem, state,
                     {.solver = solver,
                      .most_iterations = 4,
                      .least_decrease = 0.01,
-                     .threads = options_.threads,
-                     .hold_geometry = i + 1 < options_.weight_iterations},
+                     .threads = options_.threads},
                     workspace, diagnostics);
     followed = sums-- > 0 && FollowsClocks(problem, state, workspace);
-    problem.SetUnmodelled(EstimateUnmodelled(problem, state, workspace));
+    UnmodelledSums left(problem);
+    left.Add(problem, state, 0, problem.size().knots, workspace);
+    problem.SetUnmodelled(left.Estimate(problem));
   }
   const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
   if (on_skin) problem.HoldMountings(state);
@@ -154,16 +157,17 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   FillTrajectory(problem, state, estimate);
   stage("trajectory");
 
-  // The last step was small, but what hardly anything holds is held less where it led to.
-  workspace.Linearise(problem, state);
   Certainty certainty;
   if (options_.covariance) {
+    // The last step was small, but what hardly anything holds is held less where it led to.
+    workspace.Linearise(problem, state);
     PoseCovariance poses(problem, state);
     certainty = AssessCertainty(problem, state, workspace, &poses);
     FillStandardDeviations(problem, poses, estimate);
     diagnostics.headings = DescribeHeadings(problem, state, poses);
     stage("covariance");
   } else {
+    if (!options_.whole_trial) workspace.Linearise(problem, state);
     certainty.singular = workspace.sweep.Undetermined(workspace.plan);
   }
   diagnostics.singular = !certainty.singular.empty();

@@ -27,7 +27,7 @@ bool FrontSweep::Sums::IsFinite() const {
 
 void FrontSweep::Prepare(const FrontPlan& plan) {
   const std::size_t columns = U(plan.columns()), widest = U(plan.widest_stride());
-  factors_.resize(plan.storage());
+  factors_.Reserve(plan.storage());
   diagonal_.resize(columns);
   gradient_.resize(columns);
   front_.resize(widest * widest);
@@ -86,11 +86,14 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
   const auto blocks = plan.Blocks(term);
   const int columns = term.columns, stride = front.Stride();
   const double cost = term_.Linearise(*term.cost, term.loss, blocks, columns);
-  const int* place = term_.PlacesInFront();
+  const int *place = term_.PlacesInFront(), *run_end = term_.RunEnds();
   for (int column = 0; column < columns; ++column) {
     const double* from = term_.Column(column);
     double* to = &front_[U(place[column] * stride)];
-    for (int row = column; row < columns; ++row) to[place[row]] += from[row];
+    for (int row = column; row < columns;) {
+      double* to_row = to + (place[row] - row);
+      for (const int end = run_end[row]; row < end; ++row) to_row[row] += from[row];
+    }
     to[front.columns] += from[columns];
   }
   for (const TermBlock& block : blocks) {
@@ -151,15 +154,17 @@ double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
   return decrease;
 }
 
-void FrontSweep::Draw(const FrontPlan& plan, const std::vector<double>& signs,
-                      std::vector<double>& deviation) {
-  deviation.resize(U(plan.columns()));
-  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
-    GatherKept(plan, *front, deviation);
-    BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
-                   &signs[U(front->first_column)], d_.data());
-    std::copy_n(d_.data(), front->eliminated, &deviation[U(front->first_column)]);
-  }
+void FrontSweep::Draw(const FrontPlan& plan, const std::vector<std::vector<double>>& signs,
+                      std::vector<std::vector<double>>& deviations) {
+  deviations.resize(signs.size());
+  for (std::vector<double>& deviation : deviations) deviation.resize(U(plan.columns()));
+  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front)
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+      GatherKept(plan, *front, deviations[i]);
+      BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
+                     &signs[i][U(front->first_column)], d_.data());
+      std::copy_n(d_.data(), front->eliminated, &deviations[i][U(front->first_column)]);
+    }
 }
 
 // What a front does not eliminate, into d_.
@@ -190,11 +195,16 @@ Eigen::VectorXd FrontSweep::KeptGradient(const FrontPlan& plan) const {
   return g;
 }
 
-void ChainWorkspace::Linearise(const ArmProblem& problem, State& state) {
-  const int knots = problem.size().knots;
-  plan.Build(problem, state, {}, {.end_knot = knots, .last_knot = knots, .leave_stops = true});
+void ChainWorkspace::Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                               const TermRange& range) {
+  plan.Build(problem, state, prior, range);
   sweep.Prepare(plan);
   sweep.Run(plan, 0.0);
+}
+
+void ChainWorkspace::Linearise(const ArmProblem& problem, State& state) {
+  const int knots = problem.size().knots;
+  Linearise(problem, state, {}, {.end_knot = knots, .last_knot = knots, .leave_stops = true});
 }
 
 }  // namespace brachium

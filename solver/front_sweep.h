@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/front_plan.h"
+#include "solver/large_buffer.h"
 
 namespace brachium {
 
@@ -40,17 +41,19 @@ class FrontSweep {
   // Of the cost at the last pass, all columns.
   const std::vector<double>& gradient() const { return gradient_; }
 
-  // A deviation of all columns with the covariance of the last pass, from `signs`: as many random
-  // numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
-  void Draw(const FrontPlan& plan, const std::vector<double>& signs,
-            std::vector<double>& deviation);
+  // Deviations of all columns with the covariance of the last pass, each from its `signs`: as many
+  // random numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
+  void Draw(const FrontPlan& plan, const std::vector<std::vector<double>>& signs,
+            std::vector<std::vector<double>>& deviations);
 
   // What the last front hands on: the information about its members that stay, and its gradient.
   Eigen::MatrixXd KeptInformation(const FrontPlan& plan) const;
   Eigen::VectorXd KeptGradient(const FrontPlan& plan) const;
 
   // The eliminated columns of a front, as FactorFront left them.
-  const double* Factor(const FrontPlan::Front& front) const { return &factors_[front.storage]; }
+  const double* Factor(const FrontPlan::Front& front) const {
+    return factors_.data() + front.storage;
+  }
 
  private:
   void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
@@ -62,7 +65,7 @@ class FrontSweep {
                   const std::vector<double>& columns);
 
   double damping_ = 0.0;
-  std::vector<double> factors_;
+  LargeBuffer factors_;
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> front_, before_;       // matrices of this front and of the last
   std::vector<double> least_, y_, d_;
@@ -74,8 +77,12 @@ class FrontSweep {
 struct ChainWorkspace {
   explicit ChainWorkspace(const ArmProblem& problem) : plan(problem) {}
 
-  // A pass over the whole trial as it stands in `state`, for what is certain in it. Stops of joints
-  // are left out: they hold from one side only.
+  // A pass over a range as it stands in `state`.
+  void Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                 const TermRange& range);
+
+  // Over the whole trial, for what is certain in it. Stops of joints are left out: they hold from one
+  // side only.
   void Linearise(const ArmProblem& problem, State& state);
 
   FrontPlan plan;

@@ -39,7 +39,7 @@ struct SolveSummary {
 
 // Minimises `prior` and the terms with start_knot <= first knot and last knot <= last_knot over the
 // unknowns that they touch, in place. `workspace`, made for this problem, saves memory from being
-// asked for again and again.
+// asked for again and again, and holds the last pass afterwards.
 SolveSummary Solve(const ArmProblem& problem, State& state, const CarriedPrior& prior,
                    int start_knot, int last_knot, const SolveOptions& options,
                    ChainWorkspace* workspace = nullptr);

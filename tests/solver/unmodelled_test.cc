@@ -26,7 +26,9 @@ struct Solved {
 
   std::vector<Unmodelled> Estimated() {
     workspace.Linearise(problem, state);
-    return EstimateUnmodelled(problem, state, workspace);
+    UnmodelledSums sums(problem);
+    sums.Add(problem, state, 0, problem.size().knots, workspace);
+    return sums.Estimate(problem);
   }
 
   // (Σ|r|² + 30) / (Σ rows - tr(J Σ Jᵀ) + 30), by the dense covariance.
