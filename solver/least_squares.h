@@ -20,7 +20,8 @@ struct SolveOptions {
   SolverKind solver = SolverKind::kChain;
   int most_iterations = 50;
   // The search ends with a step that moves no linear combination of the unknowns by more than this
-  // share of its standard deviation. Smaller: closer to the minimum, more iterations.
+  // share of its standard deviation, or after which the next one would not. Smaller: closer to the
+  // minimum, more iterations.
   double step_in_sd = 1e-4;
   // Or before a step that, were the objective quadratic, lowers the cost by less than this share: the
   // values that stand are then those at which the last pass was made.
