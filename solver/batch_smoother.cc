@@ -125,7 +125,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   const WindowReport windows =
       SolveForward(problem, state,
                    {.length = options_.window_s,
-                    .advance = options_.whole_trial ? options_.window_s : options_.window_advance_s,
+                    .advance = options_.window_advance_s,
                     .only_a_start = options_.whole_trial,
                     .solver = solver,
                     .unmodelled = judges_skin ? &left_by_windows : nullptr},
@@ -141,7 +141,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     SolveWholeTrial(problem, state,
                     {.solver = solver,
                      .most_iterations = 4,
-                     .least_decrease = 0.03,
+                     .least_decrease = 0.05,
                      .threads = options_.threads},
                     workspace, diagnostics);
     followed = sums-- > 0 && FollowsClocks(problem, state, workspace);

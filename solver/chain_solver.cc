@@ -124,6 +124,8 @@ class Descent {
   }
 
   SolveSummary Ended(bool converged, const char* message) {
+    if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
+    if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
     summary_.final_cost = here_.cost;
     summary_.gradient_norm = here_.gradient_norm;
     summary_.converged = converged;

@@ -94,14 +94,13 @@ double UnmodelledSums::Spread::Ratio() const {
   return (squares + kPriorResiduals) / (redundancy + kPriorResiduals);
 }
 
-void UnmodelledSums::Add(const ArmProblem& problem, State& state, int first_knot, int last_knot,
+void UnmodelledSums::Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
                          ChainWorkspace& workspace) {
   Residuals residuals(problem, state, workspace.plan, Draw(draws_, random_, workspace));
   const auto& terms = problem.terms();
-  auto term = std::lower_bound(terms.begin(), terms.end(), first_knot,
+  auto term = std::lower_bound(terms.begin(), terms.end(), start_knot,
                                [](const Term& other, int knot) { return other.first_knot < knot; });
-  for (; term != terms.end() && term->first_knot <= last_knot; ++term) {
-    if (term->last_knot > last_knot) continue;
+  for (; term != terms.end() && term->first_knot < end_knot; ++term) {
     const bool accelerates = term->kind == ResidualKind::kAccelerometer;
     if (!accelerates && term->kind != ResidualKind::kSegmentChain) continue;
     Spread& spread = (accelerates ? accelerations_ : quivers_)[U(term->sensor)];
