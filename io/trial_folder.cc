@@ -189,9 +189,9 @@ class Reader {
   void ReadReference(const JsonNode& node, const Interval& common) {
     const ReferenceEntry entry = ParseReferenceEntry(node, &result_);
     const std::string file = InFolder(FileOf(node));
-    if (parts_ == TrialParts::kRecordings) return;
     const FileBytes bytes(file);
     result_.inputs.push_back({entry.file, Sha256(bytes.text())});
+    if (parts_ == TrialParts::kRecordings) return;
     ReferenceFile read = ParseReference(bytes.text(), file, entry, recorded_, &result_);
     const double offset = entry.clock_offset.value_or(0.0);
     const std::vector<double>& time = read.reference.time;

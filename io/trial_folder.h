@@ -28,7 +28,7 @@ struct TrialFolder : Findings {
 
 enum class TrialParts {
   kAll,
-  kRecordings,  // the reference is left unread
+  kRecordings,  // of the reference only which file it is
 };
 
 // Reads a trial. A recording that trial.json gives no mounting has none afterwards, unless it is

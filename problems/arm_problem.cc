@@ -111,6 +111,35 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   SortTerms();
 }
 
+Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor) const {
+  const double start = timeline_.knots[U(knot)], end = timeline_.knots[U(knot) + 1];
+  const Eigen::Map<const Vector3d> bias(state.GyroBias(timeline_.NodeBefore(start), sensor));
+  return Samples(sensor).Sum(start, end, bias, *state.Constant(UnknownKind::kClockOffset, sensor));
+}
+
+void ArmProblem::SumAgain(const State& state) {
+  for (int knot = 0; knot < timeline_.Intervals(); ++knot)
+    for (int sensor = 0; sensor < size_.sensors; ++sensor)
+      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor);
+  for (Term& term : terms_) {
+    if (term.kind == ResidualKind::kGyroscope)
+      term.cost = MakeGyroscope(term.first_knot, term.sensor);
+    if (term.kind == ResidualKind::kAccelerometer)
+      term.cost = MakeAccelerometer(term.first_knot, term.sensor);
+  }
+  std::erase_if(terms_, [](const Term& term) {
+    return term.kind == ResidualKind::kZeroVelocity || term.kind == ResidualKind::kGyroBiasRest;
+  });
+  for (int sensor = 0; sensor < size_.sensors; ++sensor) AddRests(sensor);
+  SortTerms();
+}
+
+// In the order in which knots are eliminated.
+void ArmProblem::SortTerms() {
+  std::stable_sort(terms_.begin(), terms_.end(),
+                   [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
+}
+
 Unknown ArmProblem::Describe(int unknown) const {
   if (unknown >= first_constant_) return constants_[U(unknown - first_constant_)];
   if (unknown >= first_node_)

@@ -106,12 +106,6 @@ void ArmProblem::AddConstants() {
                  {elbow.carrying_angle_sigma, elbow.carrying_slope_sigma});
 }
 
-Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor) const {
-  const double start = timeline_.knots[U(knot)], end = timeline_.knots[U(knot) + 1];
-  const Eigen::Map<const Vector3d> bias(state.GyroBias(timeline_.NodeBefore(start), sensor));
-  return Samples(sensor).Sum(start, end, bias, *state.Constant(UnknownKind::kClockOffset, sensor));
-}
-
 std::unique_ptr<TangentCost> ArmProblem::MakeGyroscope(int knot, int sensor) const {
   const Preintegrated& interval = Interval(knot, sensor);
   const Recording& recording = observations_.recordings[U(sensor)];
@@ -346,29 +340,6 @@ void ArmProblem::AddStart() {
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
     Add(InBodyAxes(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma))),
         ResidualKind::kPrior, {Attitude(0, sensor), Velocity(0, sensor)}, sensor, 0, 0);
-}
-
-void ArmProblem::SumAgain(const State& state) {
-  for (int knot = 0; knot < timeline_.Intervals(); ++knot)
-    for (int sensor = 0; sensor < size_.sensors; ++sensor)
-      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor);
-  for (Term& term : terms_) {
-    if (term.kind == ResidualKind::kGyroscope)
-      term.cost = MakeGyroscope(term.first_knot, term.sensor);
-    if (term.kind == ResidualKind::kAccelerometer)
-      term.cost = MakeAccelerometer(term.first_knot, term.sensor);
-  }
-  std::erase_if(terms_, [](const Term& term) {
-    return term.kind == ResidualKind::kZeroVelocity || term.kind == ResidualKind::kGyroBiasRest;
-  });
-  for (int sensor = 0; sensor < size_.sensors; ++sensor) AddRests(sensor);
-  SortTerms();
-}
-
-// In the order in which knots are eliminated.
-void ArmProblem::SortTerms() {
-  std::stable_sort(terms_.begin(), terms_.end(),
-                   [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
 }
 
 void ArmProblem::SetUnmodelled(const std::vector<Unmodelled>& unmodelled) {

@@ -42,7 +42,7 @@ struct SmootherOptions {
           "solved again. 0 keeps the first guess.");
     visit("covariance", options.covariance,
           "Tell standard deviations, of the constants too, and what only its prior holds. Off: "
-          "about a fifth of the time is saved.");
+          "about a third of the time is saved.");
     visit(
         "scale_sd_by_residuals", options.scale_sd_by_residuals,
         "Multiply all standard deviations by the rms of the whitened residuals over their degrees "

@@ -35,7 +35,7 @@ TEST_F(Usage, EveryCommandDescribesItselfAndExitsGood) {
 TEST_F(Usage, HelpShowsTheFlagsOfTheCommandAndItsMethodAndNoOthers) {
   const std::string help = Run({"reconstruct", "--help"}).out;
   EXPECT_THAT(help, AllOf(HasSubstr("--overwrite  (true or false, default false)"),
-                          HasSubstr("--knot_spacing_s  (number, default 0.05)")));
+                          HasSubstr("--knot_spacing_s  (number, default 0.1)")));
   EXPECT_THAT(help, AllOf(Not(HasSubstr("--scenario")), Not(HasSubstr("--logtostderr")),
                           Not(HasSubstr("--fromenv"))));
 }
