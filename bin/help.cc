@@ -50,8 +50,10 @@ std::string ManualText(const std::string& name, const std::string& usage,
       ".SH " + RoffQuoted(name) + ".B " + RoffQuoted(usage) + ".PP\n" + RoffLine(description);
   for (const HelpSection& section : sections) {
     text += ".SS " + RoffQuoted(section.heading);
-    for (const HelpItem& item : section.items)
-      text += ".TP\n.B " + RoffQuoted(item.name) + RoffLine(item.text);
+    for (const HelpItem& item : section.items) {
+      const std::string term = ".B " + RoffQuoted(item.name);
+      text += item.text.empty() ? ".br\n" + term : ".TP\n" + term + RoffLine(item.text);
+    }
   }
   return text;
 }

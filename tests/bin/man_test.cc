@@ -17,7 +17,7 @@ using testing::IsEmpty;
 // The words before two blanks or the end of each line that is indented by two.
 std::vector<std::string> Items(const std::string& text) {
   std::vector<std::string> items;
-  const std::regex item("\n  ([^ ]+(?: [^ ]+)?)(?=  |\n)");
+  const std::regex item("\n  ([^ \n]+(?: [^ \n]+)?)(?=  |\n)");
   for (std::sregex_iterator it(text.begin(), text.end(), item), end; it != end; ++it)
     items.push_back((*it)[1]);
   return items;
@@ -54,14 +54,15 @@ TEST_F(Man, NamesEveryCommandAndEveryFlag) {
     asking.push_back("--help");
     const std::vector<std::string> items = Items(Run(asking).out);
     EXPECT_GE(items.size(), 2u) << command;
-    for (const std::string& item : items) EXPECT_THAT(section, HasSubstr("\"" + item)) << command;
+    for (const std::string& item : items)
+      EXPECT_NE(section.find("\"" + item), section.npos) << command << ": " << item;
   }
 }
 
 TEST_F(Man, NamesTheFlagsOfEveryMethod) {
   for (const std::string method : {"zhou", "bai_kinematic", "heading_corrected", "luinge_rts"})
     for (const std::string& item : Items(Run({"reconstruct", "--method=" + method, "--help"}).out))
-      EXPECT_THAT(page_, HasSubstr("\"" + item)) << method;
+      EXPECT_NE(page_.find("\"" + item), page_.npos) << method << ": " << item;
 }
 
 TEST_F(Man, IsReadWithoutAComplaint) {
@@ -71,7 +72,7 @@ TEST_F(Man, IsReadWithoutAComplaint) {
                               "read' 2>'" + folder + "complaints'";
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_THAT(ReadText(Path("complaints")), IsEmpty());
-  EXPECT_THAT(ReadText(Path("read")), HasSubstr("knot_spacing_s"));
+  EXPECT_THAT(ReadText(Path("read")), HasSubstr("Shows this."));
 }
 
 }  // namespace
