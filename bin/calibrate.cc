@@ -1,4 +1,4 @@
-// brachium calibrate: how the sensors of a trial sit on their segments, from labelled movements.
+// brachium calibrate: how the sensors of a trial sit on their segments, from movements.
 #include <iostream>
 #include <map>
 #include <string>
@@ -15,6 +15,7 @@
 #include "io/text.h"
 #include "io/trial_folder.h"
 #include "solver/calibrate_clusters.h"
+#include "solver/self_calibrate.h"
 
 namespace brachium {
 namespace {
@@ -22,6 +23,7 @@ namespace {
 struct CalibrateFlags {
   std::string trial;
   std::string output;
+  std::string from = "movements";
   bool overwrite = false;
 
   template <typename Flags, typename Visitor>
@@ -30,12 +32,15 @@ struct CalibrateFlags {
     visit("output", flags.output,
           "The file to be written: the trial's trial.json with the mountings found. Called "
           "trial.json and put into a folder, it makes that a trial folder.");
+    visit("from", flags.from,
+          "movements: those that are labelled; motion: any movement of the elbow, 10 s or more, "
+          "nothing being labelled.");
     visit("overwrite", flags.overwrite, "Replace an older file.");
   }
 };
 
 const CommandHelp kHelp = {
-    "--trial=DIR --output=FILE [flags]",
+    "--trial=DIR --output=FILE [--from=motion] [flags]",
     "Finds how each sensor is turned on its segment from movements that the trial has labelled in "
     "its intervals: calibration:forearm_pronation and calibration:forearm_supination (elbow bent, "
     "palm down before a supination and after a pronation), calibration:upper_arm_endorotation and "
@@ -43,7 +48,10 @@ const CommandHelp kHelp = {
     "each interval one movement from a rest to a rest, five of each; or calibration:static_pose in "
     "recordings that carry the maker's orientation. The clusters of a reference whose frames are "
     "clusters are calibrated by the same movements. Refuses, with the reason, what cannot be "
-    "calibrated. Where on the segment a sensor sits is not found: measure it."};
+    "calibrated. Where on the segment a sensor sits is not found: measure it. With --from=motion "
+    "the sensors of upper arm and forearm are calibrated from whatever the elbow does: its axes, "
+    "and where the sensors sit, from the movement; the zeros of flexion and of pronation, which no "
+    "movement shows, from the line to the shoulder and from the start pose."};
 
 nlohmann::ordered_json ReportOf(const Calibration& calibration) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
@@ -115,11 +123,15 @@ int RunCalibrate(CommandLine& line) {
   RequireGiven(flags.trial, "trial");
   RequireGiven(flags.output, "output");
   RequireValid(options);
+  const bool from_motion = flags.from == "motion";
+  if (!from_motion && flags.from != "movements")
+    throw UsageError("--from=" + flags.from + " is not known; expected movements or motion");
 
   const TrialFolder folder = ReadTrial(flags.trial);
-  const Calibration calibration = Calibrate(folder.trial.observations, options);
+  const Calibration calibration = from_motion ? SelfCalibrate(folder.trial.observations, options)
+                                              : Calibrate(folder.trial.observations, options);
   RequireFaultless(calibration, flags.trial);
-  const Calibration clusters = ClustersOf(folder.trial, options);
+  const Calibration clusters = from_motion ? Calibration{} : ClustersOf(folder.trial, options);
   const std::string text =
       WithMountings(flags.trial, MountingsOf(calibration), MountingsOf(clusters),
                     ReportOf(calibration, clusters, options), flags.output);

@@ -81,6 +81,15 @@ void PrintRecording(const Recording& recording, const RecordingFacts& facts) {
             << " m/s^2, noise " << Fixed(quiet.force_noise, 4) << " m/s^2 rms\n";
 }
 
+std::string ContactsText(const std::vector<Contact>& contacts) {
+  std::string text;
+  for (const Contact& contact : contacts)
+    text += (text.empty() ? "" : ", ") + std::string(DistalJointName(contact.segment)) + " at " +
+            contact.place + (contact.height_only ? "'s height " : " ") +
+            Plural(contact.times.size(), "time");
+  return text.empty() ? "none" : text;
+}
+
 void PrintTrial(const TrialFolder& folder) {
   const Observations& observations = folder.trial.observations;
   std::cout << "Trial " << folder.trial.name << ": " << Name(observations.arm.side) << " arm, "
@@ -89,7 +98,9 @@ void PrintTrial(const TrialFolder& folder) {
   for (std::size_t i = 0; i < folder.recordings.size(); ++i)
     PrintRecording(observations.recordings[i], folder.recordings[i]);
   std::cout << "\nintervals         " << observations.intervals.size() << "\nstart pose        "
-            << (observations.start_pose ? "stated" : "not stated") << "\nreference         ";
+            << (observations.start_pose ? "stated" : "not stated") << "\nend pose          "
+            << (observations.end_pose ? "stated" : "not stated") << "\ncontacts          "
+            << ContactsText(observations.contacts) << "\nreference         ";
   if (folder.reference)
     std::cout << folder.reference->file << ", " << folder.reference->samples << " samples at "
               << Fixed(folder.reference->rate_hz, 2) << " Hz, "

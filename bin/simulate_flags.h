@@ -76,6 +76,8 @@ struct ErrorFlags {
   double upper_arm_soft_tissue_deg = 0.0;
   double reference_noise_m = 0.0;
   bool tell_start_pose = true;
+  bool tell_end_pose = false;
+  bool tell_contacts = false;
   bool tell_mountings = true;
   bool tell_carrying_angle = false;
   bool tell_rests = false;
@@ -103,7 +105,7 @@ struct ErrorFlags {
           "Angle from the stated to the true rotation of each sensor [deg]; 0: stated as exact.");
     visit("length_error_m", flags.length_error_m, "Error of each stated segment length [m].");
     visit("start_pose_error_deg", flags.start_pose_error_deg,
-          "Sd of the stated start angles [deg].");
+          "Sd of the stated angles of the start and the end pose [deg].");
     visit("clock_offset_s", flags.clock_offset_s, "Clock offset of all sensors but the first [s].");
     visit("sampling_jitter_s", flags.sampling_jitter_s,
           "Sd of the sampling instants about their regular times, truly stated [s].");
@@ -117,6 +119,12 @@ struct ErrorFlags {
     visit("reference_noise_m", flags.reference_noise_m,
           "Noise of the reference's markers, sd per axis [m].");
     visit("tell_start_pose", flags.tell_start_pose, "State the start pose in trial.json.");
+    visit("tell_end_pose", flags.tell_end_pose,
+          "State the pose of the rest at the end in trial.json.");
+    visit("tell_contacts", flags.tell_contacts,
+          "State in trial.json when a point of the arm is at the same place: rectangle, the "
+          "wrist at the corners; nine_hole_peg_test, the fingertip at the bowl and at the height "
+          "of the desk.");
     visit("tell_mountings", flags.tell_mountings,
           "State the mountings in trial.json; without them it needs brachium calibrate.");
     visit("tell_carrying_angle", flags.tell_carrying_angle,

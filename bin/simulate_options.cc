@@ -109,6 +109,8 @@ SimulationOptions ErrorsFrom(const ErrorFlags& flags, int seed, const Scenario& 
   errors.soft_tissue.upper_arm_along_rms = flags.upper_arm_soft_tissue_deg * kDegree;
   errors.reference_noise = flags.reference_noise_m;
   errors.tell_start_pose = flags.tell_start_pose;
+  errors.tell_end_pose = flags.tell_end_pose;
+  errors.tell_contacts = flags.tell_contacts;
   errors.tell_mountings = flags.tell_mountings;
   errors.tell_carrying_angle = flags.tell_carrying_angle;
   errors.tell_rests = flags.tell_rests;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTimeTolerance = 0.1;  // [s]: "0" may stand for the first sample's 0.005
 constexpr std::array<std::string_view, 3> kIntervalKeys = {"label", "start_s", "end_s"};
-constexpr std::array<std::string_view, 6> kStartPoseKeys = {
+constexpr std::array<std::string_view, 6> kPoseKeys = {
     "label", "at_s", "elbow_flexion_deg", "forearm_pronation_deg", "shoulder_elevation_deg",
     "sd_deg"};
 constexpr std::array<std::string_view, 8> kLabels = {"rest",
@@ -45,7 +45,7 @@ Interval ParseInterval(const JsonNode& node, Findings* findings) {
   return interval;
 }
 
-StartPose PoseOfLabel(const JsonNode& node) {
+HeldPose PoseOfLabel(const JsonNode& node) {
   if (node.Text() != kPoses[0])
     node.Fail("is the unknown pose '" + node.Text() + "'; expected " + Listed(kPoses) +
               ", or angles such as elbow_flexion_deg");
@@ -60,7 +60,33 @@ void ReplaceIfGiven(const JsonNode& node, const std::string& key, std::optional<
   *angle = given->Number() * kDegree;
 }
 
+std::optional<HeldPose> ParsePose(const JsonNode& trial, const std::string& key, double usual_time,
+                                  const Interval& covered, Findings* findings) {
+  const auto node = trial.Find(key);
+  if (!node) return std::nullopt;
+  node->WarnOfUnknownKeys(kPoseKeys, &findings->warnings);
+  const auto label = node->Find("label");
+  HeldPose pose = label ? PoseOfLabel(*label) : HeldPose{};
+  ReplaceIfGiven(*node, "elbow_flexion_deg", &pose.elbow_flexion);
+  ReplaceIfGiven(*node, "forearm_pronation_deg", &pose.forearm_pronation);
+  ReplaceIfGiven(*node, "shoulder_elevation_deg", &pose.shoulder_elevation);
+  if (!pose.elbow_flexion && !pose.forearm_pronation && !pose.shoulder_elevation)
+    node->Fail("states no pose; expected a label or an angle such as elbow_flexion_deg");
+  pose.time = NumberOr(*node, "at_s", usual_time, "s", findings);
+  if (const auto at = node->Find("at_s")) pose.time = TimeWithin(covered, *at, pose.time);
+  pose.sigma = PositiveNumberOr(*node, "sd_deg", 10, "deg", findings) * kDegree;
+  return pose;
+}
+
 }  // namespace
+
+double TimeWithin(const Interval& covered, const JsonNode& node, double time) {
+  const double within = std::clamp(time, covered.start, covered.end);
+  if (std::abs(time - within) > kTimeTolerance)
+    node.Fail("is " + Shortest(time) + "; expected a time within the recordings, " +
+              Shortest(covered.start) + " to " + Shortest(covered.end) + " s");
+  return within;
+}
 
 double ParseGravity(const JsonNode& trial, Findings* findings) {
   const double gravity = PositiveNumberOr(trial, "gravity_m_s2", kGravity, "m/s^2", findings);
@@ -86,27 +112,14 @@ std::vector<Interval> ParseIntervals(const JsonNode& trial, const Interval& cove
   return intervals;
 }
 
-std::optional<StartPose> ParseStartPose(const JsonNode& trial, const Interval& covered,
-                                        Findings* findings) {
-  const auto node = trial.Find("start_pose");
-  if (!node) return std::nullopt;
-  node->WarnOfUnknownKeys(kStartPoseKeys, &findings->warnings);
-  const auto label = node->Find("label");
-  StartPose pose = label ? PoseOfLabel(*label) : StartPose{};
-  ReplaceIfGiven(*node, "elbow_flexion_deg", &pose.elbow_flexion);
-  ReplaceIfGiven(*node, "forearm_pronation_deg", &pose.forearm_pronation);
-  ReplaceIfGiven(*node, "shoulder_elevation_deg", &pose.shoulder_elevation);
-  if (!pose.elbow_flexion && !pose.forearm_pronation && !pose.shoulder_elevation)
-    node->Fail("states no pose; expected a label or an angle such as elbow_flexion_deg");
-  pose.time = NumberOr(*node, "at_s", covered.start, "s", findings);
-  const double time = std::clamp(pose.time, covered.start, covered.end);
-  if (std::abs(pose.time - time) > kTimeTolerance)
-    node->At("at_s").Fail("is " + Shortest(pose.time) +
-                          "; expected a time within the recordings, " + Shortest(covered.start) +
-                          " to " + Shortest(covered.end) + " s");
-  pose.time = time;
-  pose.sigma = PositiveNumberOr(*node, "sd_deg", 10, "deg", findings) * kDegree;
-  return pose;
+std::optional<HeldPose> ParseStartPose(const JsonNode& trial, const Interval& covered,
+                                       Findings* findings) {
+  return ParsePose(trial, "start_pose", covered.start, covered, findings);
+}
+
+std::optional<HeldPose> ParseEndPose(const JsonNode& trial, const Interval& covered,
+                                     Findings* findings) {
+  return ParsePose(trial, "end_pose", covered.end, covered, findings);
 }
 
 }  // namespace brachium

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/contact_check.h"
 #include "io/elbow_check.h"
 #include "io/elbow_sensors.h"
 #include "io/slip_check.h"
@@ -138,10 +139,10 @@ void CheckSide(const Observations& observations, Findings* findings) {
                                "); check arm.side and the mountings [side]");
 }
 
-// Where the told pose has the arm hang, up must be upward along upper arm and forearm.
-void CheckStartPose(const Observations& observations, Findings* findings) {
+// Where a told pose has the arm hang, up must be upward along upper arm and forearm.
+void CheckPose(const Observations& observations, const std::optional<HeldPose>& pose,
+               const std::string& name, Findings* findings) {
   constexpr double kHanging = 30 * kDegree, kBent = 60 * kDegree, kOpposite = -0.7;
-  const auto& pose = observations.start_pose;
   if (!pose || !pose->shoulder_elevation || *pose->shoulder_elevation > kHanging) return;
   for (const Segment segment : {Segment::kUpperArm, Segment::kForearm}) {
     const Recording* const recording = FindMounted(observations, segment);
@@ -154,8 +155,8 @@ void CheckStartPose(const Observations& observations, Findings* findings) {
     const double up = (recording->mounting->q_BS * recording->acc_S[i].normalized()).y();
     if (up > kOpposite) continue;
     findings->warnings.push_back(
-        std::string(Name(segment)) +
-        ": acc looks turned round: in the start pose, hanging, it is " + Fixed(up, 2) +
+        std::string(Name(segment)) + ": acc looks turned round: in the " + name +
+        ", hanging, it is " + Fixed(up, 2) +
         " of upward; expected specific force, +9.81 upward at rest: multiply it by -1, or turn the "
         "mounting [gravity_sign]");
   }
@@ -170,7 +171,9 @@ void CheckTrial(const Observations& observations, Findings* findings) {
     CheckGravity(recording, observations.gravity, findings);
   }
   const std::size_t before = findings->warnings.size();
-  CheckStartPose(observations, findings);
+  CheckPose(observations, observations.start_pose, "start pose", findings);
+  CheckPose(observations, observations.end_pose, "end pose", findings);
+  CheckContacts(observations, findings);
   if (findings->warnings.size() > before || CheckElbow(observations, findings)) return;
   CheckSide(observations, findings);
   CheckSlip(observations, findings);

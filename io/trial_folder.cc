@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/arm_json.h"
+#include "io/contacts_json.h"
 #include "io/file_bytes.h"
 #include "io/formats/read_export.h"
 #include "io/input_error.h"
@@ -22,9 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kVersion = 1;
-constexpr std::array<std::string_view, 11> kTrialKeys = {
-    "brachium_trial", "name",      "arm",         "recordings", "intervals",   "start_pose",
-    "reference",      "simulated", "calibration", "imported",   "gravity_m_s2"};
+constexpr std::array<std::string_view, 13> kTrialKeys = {
+    "brachium_trial", "name",     "arm",         "recordings", "intervals",
+    "start_pose",     "end_pose", "contacts",    "reference",  "simulated",
+    "calibration",    "imported", "gravity_m_s2"};
 constexpr std::array<std::string_view, 7> kRecordingKeys = {
     "segment", "file", "format", "mounting", "noise", "rate_hz", "sensor"};
 
@@ -90,6 +92,8 @@ class Reader {
     const Interval common = CommonTime();
     observations.intervals = ParseIntervals(root_, common, &result_);
     observations.start_pose = ParseStartPose(root_, common, &result_);
+    observations.end_pose = ParseEndPose(root_, common, &result_);
+    observations.contacts = ParseContacts(root_, recorded_, common, &result_);
     if (const auto reference = root_.Find("reference")) ReadReference(*reference, common);
     CheckTrial(observations, &result_);
     return std::move(result_);

@@ -69,12 +69,20 @@ Json ToJson(const Recording& recording) {
   return json;
 }
 
-Json ToJson(const StartPose& pose) {
+Json ToJson(const HeldPose& pose) {
   Json json = {{"at_s", pose.time}, {"sd_deg", pose.sigma / kDegree}};
   if (pose.elbow_flexion) json["elbow_flexion_deg"] = *pose.elbow_flexion / kDegree;
   if (pose.forearm_pronation) json["forearm_pronation_deg"] = *pose.forearm_pronation / kDegree;
   if (pose.shoulder_elevation) json["shoulder_elevation_deg"] = *pose.shoulder_elevation / kDegree;
   return json;
+}
+
+Json ToJson(const Contact& contact) {
+  return {{"point", DistalJointName(contact.segment)},
+          {"at_s", contact.times},
+          {"place", contact.place},
+          {"sigma_m", contact.sigma},
+          {"axes", contact.height_only ? "height" : "all"}};
 }
 
 Json ToJson(const Reference& reference) {
@@ -96,6 +104,8 @@ Json ToJson(const Trial& trial, bool simulated) {
     json["intervals"].push_back(
         {{"label", interval.label}, {"start_s", interval.start}, {"end_s", interval.end}});
   if (observations.start_pose) json["start_pose"] = ToJson(*observations.start_pose);
+  if (observations.end_pose) json["end_pose"] = ToJson(*observations.end_pose);
+  for (const Contact& contact : observations.contacts) json["contacts"].push_back(ToJson(contact));
   if (trial.reference) json["reference"] = ToJson(*trial.reference);
   return json;
 }

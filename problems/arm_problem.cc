@@ -38,6 +38,10 @@ std::string_view Name(ResidualKind kind) {
       return "gyro_bias_walk";
     case ResidualKind::kStartPose:
       return "start_pose";
+    case ResidualKind::kEndPose:
+      return "end_pose";
+    case ResidualKind::kContact:
+      return "contact";
     case ResidualKind::kRangeOfMotion:
       return "range_of_motion";
     case ResidualKind::kPrior:
@@ -58,7 +62,9 @@ std::string_view Name(ResidualKind kind) {
 
 int Unknown::Size() const {
   if (kind == UnknownKind::kAttitude) return 4;
-  if (kind == UnknownKind::kAdduction || kind == UnknownKind::kClockOffset) return 1;
+  if (kind == UnknownKind::kAdduction || kind == UnknownKind::kClockOffset ||
+      kind == UnknownKind::kContactHeight)
+    return 1;
   return kind == UnknownKind::kCarryingAngle ? 2 : 3;
 }
 
@@ -73,7 +79,8 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   const int sensors = static_cast<int>(observations_.recordings.size());
   has_thorax_ = observations_.recordings[0].segment == Segment::kThorax;
   size_ = {sensors, has_thorax_ && sensors > 1 ? 2 : 1, static_cast<int>(timeline_.knots.size()),
-           static_cast<int>(timeline_.nodes.size())};
+           static_cast<int>(timeline_.nodes.size()),
+           static_cast<int>(observations_.contacts.size())};
   per_knot_ = 4 * sensors + size_.roots + 1;  // and the elbow's deviation
   first_node_ = per_knot_ * size_.knots;
   first_constant_ = first_node_ + sensors * size_.nodes;
@@ -101,6 +108,9 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
     AddBiasWalk(sensor);
   }
   AddStart();
+  if (observations_.start_pose) AddHeldPose(*observations_.start_pose, ResidualKind::kStartPose);
+  if (observations_.end_pose) AddHeldPose(*observations_.end_pose, ResidualKind::kEndPose);
+  for (int contact = 0; contact < size_.contacts; ++contact) AddContact(contact);
   std::stable_sort(terms_.begin(), terms_.end(),
                    [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
 }
@@ -185,13 +195,25 @@ bool ArmProblem::HasElbow() const {
          observations_.arm.elbow.adduction_constraint;
 }
 
+// Skin that turns sensors to and fro cannot be told from a mounting.
+bool ArmProblem::ShowsMounting(int sensor) const {
+  const Segment segment = observations_.recordings[U(sensor)].segment;
+  const bool at_elbow = segment == Segment::kUpperArm || segment == Segment::kForearm;
+  return options_.estimate_mountings && at_elbow && HasElbow() && options_.soft_tissue_deg == 0.0;
+}
+
 double ArmProblem::UntestedMountingSigma(int sensor) const {
-  const Recording& recording = observations_.recordings[U(sensor)];
-  if (!recording.mounting || !options_.estimate_mountings) return 0.0;
-  const bool at_elbow =
-      recording.segment == Segment::kUpperArm || recording.segment == Segment::kForearm;
-  const bool told_from_skin = options_.soft_tissue_deg == 0.0;
-  return at_elbow && HasElbow() && told_from_skin ? 0.0 : recording.mounting->q_sigma;
+  const auto& mounting = observations_.recordings[U(sensor)].mounting;
+  const bool held = Describe(Constant(UnknownKind::kMounting, sensor)).held;
+  return mounting && options_.estimate_mountings && held ? mounting->q_sigma : 0.0;
+}
+
+void ArmProblem::HoldMountings(State& state) {
+  for (Unknown& constant : constants_) {
+    if (constant.kind != UnknownKind::kMounting) continue;
+    constant.held = true;
+    std::fill_n(state.Constant(constant.kind, constant.sensor), 3, 0.0);
+  }
 }
 
 State ArmProblem::PriorState() const {

@@ -33,6 +33,8 @@ enum class ResidualKind {
   kGyroBiasRest,
   kGyroBiasWalk,
   kStartPose,
+  kEndPose,
+  kContact,
   kRangeOfMotion,
   kPrior,
   kSegmentLength,
@@ -46,7 +48,7 @@ std::string_view Name(ResidualKind kind);
 struct Unknown {
   UnknownKind kind = UnknownKind::kAttitude;
   int place = -1;     // knot or node; -1 for a constant of the trial
-  int sensor = -1;    // or root
+  int sensor = -1;    // or root, or contact
   bool held = false;  // a number, that nothing is asked about
   int Size() const;
   int Tangent() const { return held ? 0 : TangentSize(Size()); }
@@ -105,9 +107,12 @@ class ArmProblem {
   // Upper arm, forearm and between them an elbow with two axes.
   bool HasElbow() const;
 
-  // Sd of how a sensor is turned on its segment, where nothing in the trial tells more of it than
-  // what was told, and the turn is therefore no unknown; else 0 [rad].
+  // Sd of how a sensor is turned on its segment, where its turn is no unknown but not known exactly
+  // either: nothing in the trial tells more of it than what was told; else 0 [rad].
   double UntestedMountingSigma(int sensor) const;
+
+  // Takes all mountings as told from here on, their sds remaining. Turns in `state` become zero.
+  void HoldMountings(State& state);
 
   const Preintegrated& Interval(int knot, int sensor) const {
     return intervals_[static_cast<std::size_t>(knot * size_.sensors + sensor)];
@@ -130,6 +135,12 @@ class ArmProblem {
   // Where the chain of segments puts a sensor, in W [m].
   Eigen::Vector3d PlaceOnChain(const State& state, int knot, int sensor) const;
 
+  // Of observations().contacts[contact]: its place, the knots at which the arm is there, each once and
+  // in order, and where the touching point then is, in W [m].
+  int PlaceOf(int contact) const;
+  std::vector<int> Touches(int contact) const;
+  Eigen::Vector3d TouchingPoint(const State& state, int contact, int knot) const;
+
   // What the model leaves out of each sensor's motion; setting it renews the weights that use it.
   const std::vector<Unmodelled>& unmodelled() const { return unmodelled_; }
   void SetUnmodelled(const std::vector<Unmodelled>& unmodelled);
@@ -148,6 +159,7 @@ class ArmProblem {
  private:
   void AddConstants();
   void AddSensorConstants(int sensor);
+  bool ShowsMounting(int sensor) const;
   template <int kSize>
   void AddConstant(UnknownKind kind, int sensor, const Eigen::Matrix<double, kSize, 1>& mean,
                    const Eigen::Matrix<double, kSize, 1>& sigma);
@@ -163,6 +175,9 @@ class ArmProblem {
   void AddRests(int sensor);
   void AddBiasWalk(int sensor);
   void AddStart();
+  void AddHeldPose(const HeldPose& pose, ResidualKind kind);
+  bool IsTouching(Segment segment) const;
+  void AddContact(int contact);
   template <typename Residual>
   void Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor, int first,
            int last);

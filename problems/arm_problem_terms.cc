@@ -17,7 +17,6 @@
 #include "problems/residuals/shoulder_process.h"
 #include "problems/residuals/skin.h"
 #include "problems/residuals/start_heading.h"
-#include "problems/residuals/start_pose.h"
 #include "problems/residuals/thorax_shoulder.h"
 #include "problems/residuals/zero_velocity.h"
 
@@ -30,9 +29,6 @@ using Scalar = Eigen::Matrix<double, 1, 1>;
 constexpr double kGaugeSigma = 1e-4;         // of the first place [m]
 constexpr double kLostAttitude = 2.0;        // by the longest gap: more than that is a turn [rad]
 constexpr double kStartVelocitySigma = 2.0;  // a person may walk into a trial [m/s]
-constexpr double kHanging =
-    30 * kDegree;  // a told elevation up to here leaves the elbow facing forward,
-constexpr double kFacingSigma = 20 * kDegree;  // as people's do
 constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
@@ -80,13 +76,13 @@ void ArmProblem::AddSensorConstants(int sensor) {
   add(UnknownKind::kGyroScale, Vector3d::Zero(), options_.gyro_scale_sigma);
   add(UnknownKind::kAccelBias, Vector3d::Zero(), recording.noise.accel_bias_sigma);
   add(UnknownKind::kAccelScale, Vector3d::Zero(), options_.accel_scale_sigma);
-  add(UnknownKind::kMounting, Vector3d::Zero(),
-      options_.estimate_mountings && UntestedMountingSigma(sensor) == 0.0 ? mounting.q_sigma : 0.0);
+  add(UnknownKind::kMounting, Vector3d::Zero(), ShowsMounting(sensor) ? mounting.q_sigma : 0.0);
   add(UnknownKind::kSensorPosition, alone ? Vector3d::Zero() : mounting.p_BS_B,
       alone ? 0.0 : mounting.p_sigma);
   AddConstant<1>(UnknownKind::kClockOffset, sensor, Scalar::Zero(),
                  Scalar(own_clock ? options_.clock_offset_sigma_s : 0.0));
-  if (sensor + 1 < size_.sensors && sensor >= FirstOfArm()) {
+  const bool is_link = sensor + 1 < size_.sensors && sensor >= FirstOfArm();
+  if (is_link || IsTouching(recording.segment)) {
     const SegmentGeometry& geometry = observations_.arm.segments.at(recording.segment);
     constants_.push_back({UnknownKind::kJointVector, -1, sensor, geometry.sigma == 0.0});
     if (geometry.sigma > 0.0)
@@ -99,6 +95,11 @@ void ArmProblem::AddConstants() {
   for (int sensor = 0; sensor < size_.sensors; ++sensor) AddSensorConstants(sensor);
   if (size_.sensors > 1 && size_.roots == 1)
     constants_.push_back({UnknownKind::kShoulderMean, -1, -1});
+  for (int contact = 0; contact < size_.contacts; ++contact) {
+    const bool is_height = observations_.contacts[U(contact)].height_only;
+    constants_.push_back(
+        {is_height ? UnknownKind::kContactHeight : UnknownKind::kContactPlace, -1, contact});
+  }
   if (!HasElbow()) return;
   const ElbowModel& elbow = observations_.arm.elbow;
   AddConstant<2>(UnknownKind::kCarryingAngle, -1, {elbow.carrying_angle, 0.0},
@@ -329,24 +330,6 @@ void ArmProblem::AddStart() {
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
     Add(InBodyAxes(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma))),
         ResidualKind::kPrior, {Attitude(0, sensor), Velocity(0, sensor)}, sensor, 0, 0);
-  const int upper = SensorOn(Segment::kUpperArm), fore = SensorOn(Segment::kForearm);
-  if (!observations_.start_pose || upper < 0) return;
-  const StartPose& pose = *observations_.start_pose;
-  const int knot = timeline_.KnotBefore(pose.time);
-  const Side side = observations_.arm.side;
-  if (pose.shoulder_elevation)
-    Add(AsMounted(ElevationStartPose(*pose.shoulder_elevation, pose.sigma)),
-        ResidualKind::kStartPose, OfSegments(knot, {upper}, {}), -1, knot, knot);
-  if (pose.shoulder_elevation && *pose.shoulder_elevation < kHanging && upper > 0)
-    Add(AsMounted(FacingStartPose(kFacingSigma)), ResidualKind::kStartPose,
-        OfSegments(knot, {upper - 1, upper}, {}), -1, knot, knot);
-  if (fore < 0) return;
-  const auto add = [&](ElbowAngle angle, double told) {
-    Add(AsMounted(ElbowStartPose(angle, side, told, pose.sigma)), ResidualKind::kStartPose,
-        OfSegments(knot, {upper, fore}, {}), -1, knot, knot);
-  };
-  if (pose.elbow_flexion) add(ElbowAngle::kFlexion, *pose.elbow_flexion);
-  if (pose.forearm_pronation) add(ElbowAngle::kPronation, *pose.forearm_pronation);
 }
 
 void ArmProblem::SetUnmodelled(const std::vector<Unmodelled>& unmodelled) {

@@ -8,7 +8,7 @@
 namespace brachium {
 
 // What an unknown is; its block holds 4 numbers for an attitude, 2 for the carrying angle, 1 for a
-// deviation and for a clock, else 3.
+// deviation, a clock and a height, else 3.
 enum class UnknownKind {
   kAttitude,        // q_WC of a segment, were its sensor mounted as told [x y z w]
   kRoot,            // root joint of the arm, or of the thorax, in W [m]
@@ -26,11 +26,14 @@ enum class UnknownKind {
   kClockOffset,     // of a sensor: true time less its own [s]
   kShoulderMean,    // mean of the root joint, W [m]
   kCarryingAngle,   // k0, k1 [rad]
+  kContactPlace,    // where a point of the arm touches, W [m]
+  kContactHeight,   // its z alone [m]
 };
 
-// Sizes: sensors (one a segment, proximal to distal), roots (free translations), knots, bias nodes.
+// Sizes: sensors (one a segment, proximal to distal), roots (free translations), knots, bias nodes,
+// contacts.
 struct StateSize {
-  int sensors = 0, roots = 0, knots = 0, nodes = 0;
+  int sensors = 0, roots = 0, knots = 0, nodes = 0, contacts = 0;
 };
 
 class State {
@@ -53,7 +56,7 @@ class State {
   double* GyroBias(int node, int sensor) {
     return &x_[nodes_begin_ + 3 * (U(node) * U(size_.sensors) + U(sensor))];
   }
-  double* Constant(UnknownKind kind, int sensor);
+  double* Constant(UnknownKind kind, int sensor);  // or contact
 
   const double* Attitude(int knot, int sensor) const { return Mutable().Attitude(knot, sensor); }
   const double* Root(int knot, int root) const { return Mutable().Root(knot, root); }

@@ -30,6 +30,12 @@ int Timeline::KnotBefore(double time) const {
   return std::max(0, static_cast<int>(after - knots.begin()) - 1);
 }
 
+int Timeline::KnotNearest(double time) const {
+  const int before = KnotBefore(time), after = std::min(before + 1, Intervals());
+  const auto at = [&](int knot) { return knots[static_cast<std::size_t>(knot)]; };
+  return at(after) - time < time - at(before) ? after : before;
+}
+
 Timeline MakeTimeline(const std::vector<Preintegrator>& recordings, double knot_spacing,
                       double node_spacing) {
   double begin = recordings[0].Begin(), end = recordings[0].End();

@@ -24,6 +24,8 @@ struct Timeline {
 
   // The last knot at or before a time; the first where there is none.
   int KnotBefore(double time) const;
+
+  int KnotNearest(double time) const;
 };
 
 // Knots at least `knot_spacing` apart (0: at every cell edge) over the span that all recordings

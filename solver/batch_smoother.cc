@@ -38,6 +38,16 @@ void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions
   diagnostics.termination = summary.message;
 }
 
+// Sensors that feel more than this beside what rigid segments explain move on them, and what they
+// show of the elbow's axes is not to be trusted [m/s²]. Rigid ones: up to 0.02, on skin that turns by
+// 1 deg 0.05, by 3 deg 0.15.
+constexpr double kOnSkin = 0.1;
+
+bool OnSkin(const ArmProblem& problem) {
+  return std::any_of(problem.unmodelled().begin(), problem.unmodelled().end(),
+                     [](const Unmodelled& left) { return left.acceleration > kOnSkin; });
+}
+
 // Rms of the whitened residuals over their degrees of freedom: 1 where the model is right.
 double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
   double count = 0.0, squares = 0.0;
@@ -89,6 +99,8 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
 
   const SolverKind solver = SolverNamed(options_.solver).value();
   State state = problem.PriorState();
+  const bool judges_skin = options_.whole_trial && options_.weight_iterations > 0;
+  if (!judges_skin) problem.HoldMountings(state);
   const WindowReport windows = SolveForward(problem, state,
                                             {.length = options_.window_s,
                                              .advance = options_.window_advance_s,
@@ -111,6 +123,8 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
                     workspace, diagnostics);
     problem.SetUnmodelled(EstimateUnmodelled(problem, state, workspace));
   }
+  const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
+  if (on_skin) problem.HoldMountings(state);
   if (progress) progress("whole trial", 0.9);
   if (options_.whole_trial)
     SolveWholeTrial(
@@ -137,6 +151,9 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   diagnostics.constants = DescribeConstants(problem, state, certainty);
   if (options_.covariance) diagnostics.held_by_prior = HeldByPrior(problem, certainty);
   diagnostics.notes = FarFromTold(problem, state);
+  if (on_skin)
+    diagnostics.notes.push_back(
+        "Sensors move on their segments: mountings are taken as they were told");
   for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
     diagnostics.notes.push_back(note);
   const double residual_scale = ResidualScale(diagnostics, workspace.plan.columns());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 namespace brachium {
@@ -18,6 +19,12 @@ constexpr double kFar = 4.0;
 std::string SegmentName(const ArmProblem& problem, int sensor) {
   return std::string(Name(problem.observations().recordings[U(sensor)].segment));
 }
+
+std::string PlaceName(const ArmProblem& problem, const Unknown& unknown) {
+  return problem.observations().contacts[U(unknown.sensor)].place;
+}
+
+constexpr double kNoPrior = std::numeric_limits<double>::infinity();
 
 // How a constant is called in results, and what its prior's sd is; both in that unit.
 struct ConstantEntry {
@@ -59,6 +66,11 @@ std::optional<ConstantEntry> Describe(const ArmProblem& problem, const Unknown& 
       const double sigma = observations.arm.shoulder.sigma;
       return ConstantEntry{"shoulder.mean_m", {sigma, sigma, sigma}};
     }
+    case UnknownKind::kContactPlace:
+      return ConstantEntry{"contact." + PlaceName(problem, unknown) + "_m",
+                           {kNoPrior, kNoPrior, kNoPrior}};
+    case UnknownKind::kContactHeight:
+      return ConstantEntry{"contact." + PlaceName(problem, unknown) + "_height_m", {kNoPrior}};
     default:
       return std::nullopt;
   }
@@ -99,7 +111,7 @@ std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, Sta
     r.resize(U(term.cost->num_residuals()));
     term.cost->Evaluate(values.data(), r.data(), nullptr);
     std::string name(Name(term.kind));
-    if (term.sensor >= 0) name += "/" + SegmentName(problem, term.sensor);
+    if (term.sensor >= 0) name.append("/").append(SegmentName(problem, term.sensor));
     auto& [count, squares] = entry(name);
     count += r.size();
     for (const double value : r) squares += value * value;

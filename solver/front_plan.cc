@@ -55,6 +55,10 @@ void FrontPlan::Build(const ArmProblem& problem, State& state, const CarriedPrio
     if (term->last_knot <= range.last_knot)
       AddTerm(problem, state, *term->cost, term->loss.get(), term->unknowns, term->first_knot,
               range.hold_geometry);
+  // Where a joint is, is asked at every knot, whatever spoke of its place last.
+  for (Variable& variable : variables_)
+    if (problem.Describe(variable.unknown).kind == UnknownKind::kJointVector)
+      variable.last_front = static_cast<int>(fronts_.size()) - 1;
   if (range.hand_on)
     for (Variable& variable : variables_)
       if (last_knot_[U(variable.unknown)] >= range.end_knot) variable.last_front = kStays;

@@ -62,6 +62,18 @@ void SetPlaces(const ArmProblem& problem, State& state, int knot) {
     Eigen::Map<Vector3d>{state.Place(knot, sensor)} = problem.PlaceOnChain(state, knot, sensor);
 }
 
+// Where the first touch shows it, if that is beyond `from` and no later than `to`; at the first knot
+// too.
+void SetContactPlaces(const ArmProblem& problem, State& state, int from, int to) {
+  for (int contact = 0; contact < problem.size().contacts; ++contact) {
+    const int first = problem.Touches(contact).front(), place = problem.PlaceOf(contact);
+    if (first > to || first < from || (first == from && from > 0)) continue;
+    const int numbers = problem.Describe(place).Size();
+    Eigen::Map<Eigen::VectorXd>{problem.Value(state, place), numbers} =
+        problem.TouchingPoint(state, contact, first).tail(numbers);
+  }
+}
+
 }  // namespace
 
 void SetFirstKnot(const ArmProblem& problem, State& state) {
@@ -105,6 +117,7 @@ void DeadReckon(const ArmProblem& problem, State& state, int from, int to) {
     if (knot == 0) SetPlaces(problem, state, 0);
     SetPlaces(problem, state, knot + 1);
   }
+  SetContactPlaces(problem, state, from, to);
 }
 
 void HoldBias(const ArmProblem& problem, State& state, int node) {

@@ -35,6 +35,20 @@ std::vector<Vector3d> JointPlaces(const ArmProblem& problem, const State& state,
   return places;
 }
 
+// A place that is nowhere told goes along as far as it can with the points that touch it.
+void MoveContactPlaces(const ArmProblem& problem, const State& from, State& to) {
+  for (int contact = 0; contact < problem.size().contacts; ++contact) {
+    const std::vector<int> touches = problem.Touches(contact);
+    Vector3d shift = Vector3d::Zero();
+    for (const int knot : touches)
+      shift +=
+          problem.TouchingPoint(to, contact, knot) - problem.TouchingPoint(from, contact, knot);
+    shift /= static_cast<double>(touches.size());
+    const int place = problem.PlaceOf(contact), numbers = problem.Describe(place).Size();
+    Eigen::Map<Eigen::VectorXd>{problem.Value(to, place), numbers} += shift.tail(numbers);
+  }
+}
+
 // The state with everything from a sensor on turned about the vertical through its proximal joint.
 State Turned(const ArmProblem& problem, const State& state, int first, double turn) {
   State turned = state;
@@ -56,6 +70,7 @@ State Turned(const ArmProblem& problem, const State& state, int first, double tu
       v = velocity + q * (v - velocity);
     }
   }
+  MoveContactPlaces(problem, state, turned);
   return turned;
 }
 

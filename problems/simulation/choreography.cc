@@ -133,6 +133,12 @@ void AddIntervals(const Choreography& composed, double time_scale, Scenario& sce
                               {"calibration:static_pose", 0.2, kRestAtStart - 0.2});
 }
 
+void AddContacts(const Choreography& composed, double time_scale, Scenario& scenario) {
+  scenario.contacts = composed.contacts;
+  for (Contact& contact : scenario.contacts)
+    for (double& time : contact.times) time = kRestAtStart + time_scale * time;
+}
+
 void AddFacts(const Choreography& composed, const Clock& clock, Scenario& scenario) {
   TrueValue start{"movements.start_s", {}}, end{"movements.end_s", {}};
   for (const Movement& m : composed.movements) {
@@ -177,6 +183,7 @@ void Perform(const ScenarioKind& kind, Scenario& scenario) {
       kind.compose({.length = length, .patient_week = options.patient_week}, path);
   std::vector<Movement>& movements = composed.movements;
   AddIntervals(composed, time_scale, scenario);
+  AddContacts(composed, time_scale, scenario);
   AddFacts(composed, clock, scenario);
 
   scenario.start = composed.start;

@@ -16,6 +16,7 @@ const Vector3d kCentre(0.33, 0.78 - 1.05, -0.08);  // forward, up, right [m]
 const Vector3d kElbow(-0.4, -1.0, 0.5);            // back, down and out
 constexpr double kApproach = 1.5;                  // and return [s]
 constexpr double kSettle = 0.5;                    // before and after [s]
+constexpr double kMissed = 0.005;                  // of a corner, as told: people miss some [m]
 
 JointValues Drawing() {
   JointValues posture = StartPoseJoints();
@@ -61,11 +62,19 @@ Choreography Rectangle(const Task& task, Draws& draws) {
     return HandPlace{.p_T = corner, .elbow_T = kElbow};
   };
   Score score;
+  std::vector<Contact>& contacts = score.choreography().contacts;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    contacts.push_back({.place = "corner_" + std::to_string(i + 1),
+                        .segment = Segment::kForearm,
+                        .times = {},
+                        .sigma = kMissed});
   score.Go(Drawing(), at(corners[0]), kApproach, kSettle);
   while (score.time() + 4 * (1.1 * kSide + kCorner) + kSettle + kApproach <= task.length) {
     const double start = score.time();
-    for (const std::size_t corner : {1u, 2u, 3u, 0u})
+    for (const std::size_t corner : {1u, 2u, 3u, 0u}) {
       score.Go(Drawing(), at(corners[corner]), kSide * draws.Uniform(0.9, 1.1), kCorner);
+      contacts[corner].times.push_back(score.time() - 0.5 * kCorner);
+    }
     score.Label("cycle:rectangle", start, score.time());
   }
   score.WaitUntil(score.time() + kSettle);

@@ -27,6 +27,7 @@ struct Choreography {
   JointValues start = StartPoseJoints();
   std::vector<Movement> movements{};
   std::vector<Interval> intervals{};                              // in the movements' time
+  std::vector<Contact> contacts{};                                // in the movements' time
   double circle_radius = 0.0;                                     // the hand circles so wide [m],
   double circle_start = 0.0;                                      // from then on [s],
   double lap = 0.0;                                               // each lap in that time [s],

@@ -80,6 +80,7 @@ struct Scenario {
   bool rig = false;                 // a hinge: no carrying angle, no shoulder that moves
   ShoulderModel shoulder;           // how it moves, as a process
   std::vector<Interval> intervals;  // labelled movements
+  std::vector<Contact> contacts;    // where a point of the arm is again and again
   std::vector<TrueValue> facts;     // of the movement: when, and where to
 
   MovingJoints JointsAt(double t) const;  // of the right arm, exact at any time t [s]

@@ -45,7 +45,7 @@ struct SimulationOptions {
   double lever_arm_error = 0.005;  // distance from the told to the true sensor position [m]
   double mounting_error = 0.0;  // angle from the told to the true rotation [rad]; 0: told as exact
   double length_error = 0.003;  // of each told segment length, of either sign [m]
-  double start_pose_error = 0.0;  // sd of each told start angle [rad]
+  double start_pose_error = 0.0;  // sd of each told angle of start and end pose [rad]
 
   double clock_offset = 0.0;     // of every sensor but the first, of either sign [s]
   double sampling_jitter = 0.0;  // sd of each cell edge about its regular time; told truly [s]
@@ -59,6 +59,8 @@ struct SimulationOptions {
   double reference_noise = 0.0;
 
   bool tell_start_pose = true;
+  bool tell_end_pose = false;        // that of the rest at the end
+  bool tell_contacts = false;        // the scenario's, of segments that are worn
   bool tell_mountings = true;        // false: no recording has one, as before a calibration
   bool tell_carrying_angle = false;  // the true k0, as prior mean; otherwise the anatomical default
   bool tell_rests = false;           // the rests at both ends as "rest" intervals

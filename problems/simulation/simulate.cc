@@ -56,19 +56,28 @@ ArmModel ToldArm(const Scenario& scenario, const SimulationOptions& options) {
   return arm;
 }
 
-StartPose ToldStartPose(const Scenario& scenario, const SimulationOptions& options) {
-  Draws draws = ErrorStream(scenario, options, "start_pose", Segment::kUpperArm);
+// The pose of both rests, as it is told of the one about that time.
+HeldPose ToldPose(const Scenario& scenario, const SimulationOptions& options, double time,
+                  std::string_view error) {
+  Draws draws = ErrorStream(scenario, options, error, Segment::kUpperArm);
   const auto told = [&](double angle) { return angle + options.start_pose_error * draws.Normal(); };
   const JointValues& pose = scenario.start;
   const double flexed = pose[kShoulderFlexion], abducted = pose[kShoulderAbduction];
-  StartPose start;
-  start.time = 0.5 * kRestAtStart;
-  start.elbow_flexion = told(pose[kElbowFlexion]);
-  start.forearm_pronation = told(pose[kForearmPronation]);
-  start.shoulder_elevation =
+  HeldPose held;
+  held.time = time;
+  held.elbow_flexion = told(pose[kElbowFlexion]);
+  held.forearm_pronation = told(pose[kForearmPronation]);
+  held.shoulder_elevation =
       std::abs(told(flexed == 0.0 ? abducted : std::acos(std::cos(flexed) * std::cos(abducted))));
-  if (options.draw_sizes && options.start_pose_error > 0.0) start.sigma = options.start_pose_error;
-  return start;
+  if (options.draw_sizes && options.start_pose_error > 0.0) held.sigma = options.start_pose_error;
+  return held;
+}
+
+std::vector<Contact> ToldContacts(const Scenario& scenario, const std::vector<Segment>& worn) {
+  std::vector<Contact> told;
+  for (const Contact& contact : scenario.contacts)
+    if (std::find(worn.begin(), worn.end(), contact.segment) != worn.end()) told.push_back(contact);
+  return told;
 }
 
 // The rests at both ends, a margin away from the movements.
@@ -210,7 +219,13 @@ SimulatedTrial Simulate(const Scenario& scenario, const SimulationOptions& optio
                std::string(Name(scenario.options.side)) + "-" +
                std::to_string(scenario.options.seed);
   trial.observations.arm = ToldArm(right, options);
-  if (options.tell_start_pose) trial.observations.start_pose = ToldStartPose(right, options);
+  if (options.tell_start_pose)
+    trial.observations.start_pose = ToldPose(right, options, 0.5 * kRestAtStart, "start_pose");
+  if (options.tell_end_pose)
+    trial.observations.end_pose =
+        ToldPose(right, options, right.options.duration - 0.5 * kRestAtEnd, "end_pose");
+  if (options.tell_contacts)
+    trial.observations.contacts = ToldContacts(right, Worn(right, options));
   trial.observations.intervals = right.intervals;
   if (options.tell_rests)
     for (const Interval& rest : Rests(right)) trial.observations.intervals.push_back(rest);

@@ -77,7 +77,7 @@ Quaterniond AttitudeAt(const Track& track, double start, double time) {
 // The turn of the forearm about the vertical after which the elbow is nearest to the told pose.
 Quaterniond TurnToPose(const Track& upper, const Track& fore, const Observations& observations,
                        double start, double end) {
-  const StartPose& pose = *observations.start_pose;
+  const HeldPose& pose = *observations.start_pose;
   const ElbowAngles angles{pose.elbow_flexion.value_or(0.0), observations.arm.elbow.carrying_angle,
                            *pose.forearm_pronation};
   const double time = std::clamp(pose.time, start, end);

@@ -206,6 +206,41 @@ TEST_F(Program, CalibratesATrialThatCanThenBeReconstructed) {
   EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
+TEST_F(Program, CalibratesFromMovementThatNobodyLabelled) {
+  for (const std::string side : {"right", "left"}) {
+    const std::string trial = Path("worn " + side), calibrated = Path("calibrated " + side);
+    ASSERT_EQ(Run({"simulate", "--scenario=daily_brisk", "--notell_mountings", "--duration_s=30",
+                   "--side=" + side, "--output=" + trial})
+                  .exit_code,
+              0);
+    const Outcome outcome = Run({"calibrate", "--from=motion", "--trial=" + trial,
+                                 "--output=" + calibrated + "/trial.json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("zero of pronation"));
+    const std::string estimate = Path("estimate " + side);
+    ASSERT_EQ(Reconstruct(calibrated, estimate).exit_code, 0);
+    ASSERT_EQ(Run({"evaluate", "--trial=" + calibrated, "--estimate=" + estimate}).exit_code, 0);
+    const json evaluation = ReadJson(estimate + "/evaluation.json");
+    EXPECT_LT(evaluation["joint_angles"]["elbow_flexion"]["sd_deg"].get<double>(), 2.7);
+    EXPECT_LT(evaluation["joint_angles"]["forearm_pronation"]["sd_deg"].get<double>(), 3.8);
+  }
+}
+
+TEST_F(Program, RefusesToCalibrateFromAnArmThatHangsStill) {
+  const std::string trial = Path("still");
+  ASSERT_EQ(Run({"simulate", "--scenario=shrug", "--notell_mountings", "--duration_s=30",
+                 "--output=" + trial})
+                .exit_code,
+            0);
+  const Outcome outcome =
+      Run({"calibrate", "--from=motion", "--trial=" + trial, "--output=" + Path("out.json")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("bend and stretch it"), HasSubstr("the palm up and down")));
+  EXPECT_FALSE(std::filesystem::exists(Path("out.json")));
+  EXPECT_EQ(Run({"calibrate", "--from=thin_air", "--trial=" + trial, "--output=x"}).exit_code, 1);
+}
+
 TEST_F(Program, CalibratesTheClustersOfAReferenceSoThatJointAnglesCanBeCompared) {
   const std::string trial = Path("clusters"), calibrated = Path("calibrated");
   ASSERT_EQ(Run({"simulate", "--scenario=calibration", "--output=" + trial}).exit_code, 0);

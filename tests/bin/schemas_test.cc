@@ -39,13 +39,20 @@ class Schemas : public ProgramTest {
 };
 
 TEST_F(Schemas, DescribeTrialsEstimatesAndEvaluations) {
-  const std::string trial = Simulate({"--tell_rests"});
+  const std::string trial = Simulate({"--tell_rests", "--tell_end_pose"});
   ExpectValid("trial", "trial/trial.json");
   ASSERT_EQ(Reconstruct(trial, Path("estimate")).exit_code, 0);
   RunWell({"evaluate", "--trial=" + trial, "--estimate=" + Path("estimate")});
   ExpectValid("summary", "estimate/summary.json");
   ExpectValid("timing", "estimate/timing.json");
   ExpectValid("evaluation", "estimate/evaluation.json");
+}
+
+TEST_F(Schemas, DescribeTrialsWithContacts) {
+  RunWell({"simulate", "--scenario=nine_hole_peg_test", "--tell_contacts",
+           "--output=" + Path("trial")});
+  EXPECT_EQ(json::parse(ReadText(Path("trial/trial.json")))["contacts"].size(), 2u);
+  ExpectValid("trial", "trial/trial.json");
 }
 
 TEST_F(Schemas, DescribeComparisonsWithMembersThatRefuse) {

@@ -47,7 +47,7 @@ TEST_F(SweepOnSlurm, RunsTheArrayAndThenTheMerge) {
   Submit();
   EXPECT_THAT(SlurmHere::Said("squeue --noheader --format='%j %E'"),
               HasSubstr("brachium_merge afterany:"));
-  ASSERT_TRUE(SlurmHere::WaitUntilEmpty(150));
+  ASSERT_TRUE(SlurmHere::WaitUntilEmpty(400));
   EXPECT_EQ(Sweep("status", {"--missing"}).out, "\n");
   ASSERT_TRUE(fs::exists(Merged()));
   EXPECT_EQ(nlohmann::json::parse(ReadText(Merged()))["complete"], true);
@@ -56,23 +56,23 @@ TEST_F(SweepOnSlurm, RunsTheArrayAndThenTheMerge) {
 
 TEST_F(SweepOnSlurm, FindsACancelledTaskAndRunsItAgain) {
   Submit();
-  ASSERT_TRUE(SlurmHere::Within(60, [&] { return Results() >= 3; }));
+  ASSERT_TRUE(SlurmHere::Within(200, [&] { return Results() >= 3; }));
   SlurmHere::Said("scancel --name=brachium_sweep");
   ASSERT_TRUE(SlurmHere::WaitUntilEmpty(60));
   EXPECT_NE(Sweep("status", {"--missing"}).out, "\n");
   EXPECT_FALSE(fs::exists(Merged()));
   Submit();
-  ASSERT_TRUE(SlurmHere::WaitUntilEmpty(150));
+  ASSERT_TRUE(SlurmHere::WaitUntilEmpty(400));
   EXPECT_TRUE(fs::exists(Merged()));
   for (const auto& [task, times] : TimesRun()) EXPECT_EQ(times, 1) << task;
 }
 
 TEST_F(SweepOnSlurm, LosesNothingWhenANodeStartsAgain) {
   Submit();
-  ASSERT_TRUE(SlurmHere::Within(60, [&] { return Results() >= 2; }));
+  ASSERT_TRUE(SlurmHere::Within(200, [&] { return Results() >= 2; }));
   slurm_->StopNode();
   slurm_->StartNode();
-  ASSERT_TRUE(SlurmHere::WaitUntilEmpty(150));
+  ASSERT_TRUE(SlurmHere::WaitUntilEmpty(400));
   EXPECT_EQ(Sweep("status", {"--missing"}).out, "\n");
   EXPECT_TRUE(fs::exists(Merged()));
 }

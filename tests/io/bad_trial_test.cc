@@ -103,6 +103,37 @@ const BadJson kBadJson[] = {
      "states no pose"},
     {"StartPoseOutsideTheRecordings", [](auto& j) { j["start_pose"]["at_s"] = 50; }, "at_s",
      "expected a time within the recordings, 0 to 1.99 s"},
+    {"EndPoseOutsideTheRecordings",
+     [](auto& j) {
+       j["end_pose"] = {{"elbow_flexion_deg", 10}, {"at_s", 60}};
+     },
+     "60", "expected a time within the recordings, 0 to 1.99 s"},
+    {"ContactOfAPointWithoutASensor",
+     [](auto& j) {
+       j["contacts"] = {{{"point", "hand"}, {"at_s", {0.5, 1}}}};
+     },
+     "\"hand\"", "is 'hand'; expected a point of a segment that is recorded: elbow, wrist"},
+    {"ContactWithoutInstants",
+     [](auto& j) {
+       j["contacts"] = {{{"point", "wrist"}, {"at_s", nlohmann::ordered_json::array()}}};
+     },
+     "at_s\": []", "is empty; expected the instants"},
+    {"ContactOutsideTheRecordings",
+     [](auto& j) {
+       j["contacts"] = {{{"point", "wrist"}, {"at_s", {0.5, 77}}}};
+     },
+     "\"at_s\": [", "expected a time within the recordings, 0 to 1.99 s"},
+    {"ContactAtAPlaceTwice",
+     [](auto& j) {
+       j["contacts"] = {{{"point", "wrist"}, {"at_s", {0.5}}, {"place", "cup"}},
+                        {{"point", "elbow"}, {"at_s", {0.7}}, {"place", "cup"}, {"sigma_m", 0.02}}};
+     },
+     "\"cup\",", "is the place 'cup' again"},
+    {"ContactOfUnknownAxes",
+     [](auto& j) {
+       j["contacts"] = {{{"point", "wrist"}, {"at_s", {0.5}}, {"axes", "x"}}};
+     },
+     "\"axes\"", "expected all or height"},
     {"UnknownFrames", [](auto& j) { j["reference"]["frames"] = "world"; }, "frames",
      "expected 'segment' or 'cluster'"},
     {"UnknownUp", [](auto& j) { j["reference"]["up"] = "x"; }, "\"up\"", "expected 'z' or 'y'"},

@@ -54,5 +54,28 @@ TEST(TrialChecks, TakeTheGravityOfThePlaceAsTold) {
   EXPECT_THAT(Said(trial), testing::HasSubstr("[gravity]"));
 }
 
+Trial Touching(const std::vector<double>& times) {
+  Trial trial = SoundTrial({.name = "daily_brisk", .duration = 30.0});
+  trial.observations.contacts = {{.place = "cup", .segment = Segment::kForearm, .times = times}};
+  return trial;
+}
+
+TEST(TrialChecks, NameContactsOfOneInstantAndOfAnArmThatMoves) {
+  EXPECT_EQ(Said(Touching({0.5, 2.0, 29.0})), "");
+  EXPECT_THAT(Said(Touching({0.5})), testing::HasSubstr("[single_contact]"));
+  EXPECT_THAT(Said(Touching({0.5, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0})),
+              testing::HasSubstr("[moving_contact]"));
+}
+
+TEST(TrialChecks, NameAnAccelerometerTurnedRoundInAToldEndPose) {
+  Trial trial = SoundTrial({.name = "daily_brisk", .duration = 30.0});
+  trial.observations.start_pose.reset();
+  for (Recording& recording : trial.observations.recordings) Scale(recording.acc_S, -1.0);
+  EXPECT_THAT(Said(trial), testing::Not(testing::HasSubstr("in the end pose")));
+  trial.observations.end_pose = HeldPose{
+      .time = 29.5, .elbow_flexion = 0.2, .forearm_pronation = {}, .shoulder_elevation = 0.0};
+  EXPECT_THAT(Said(trial), testing::HasSubstr("in the end pose, hanging"));
+}
+
 }  // namespace
 }  // namespace brachium

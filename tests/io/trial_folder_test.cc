@@ -110,7 +110,7 @@ TEST(TrialFolder, ReadsNoiseAsPresetOrAsFigures) {
 
 TEST(TrialFolder, LetsAnglesReplaceThoseOfTheLabel) {
   const TrialOnDisk disk([](ordered_json& json) { json["start_pose"]["elbow_flexion_deg"] = 90; });
-  const StartPose pose = *ReadTrial(disk.path()).trial.observations.start_pose;
+  const HeldPose pose = *ReadTrial(disk.path()).trial.observations.start_pose;
   EXPECT_DOUBLE_EQ(*pose.elbow_flexion, 90 * kDegree);
   EXPECT_DOUBLE_EQ(*pose.forearm_pronation, 90 * kDegree);
 }
@@ -120,9 +120,51 @@ TEST(TrialFolder, StartsThePoseWithTheRecordingWhenNoTimeIsGiven) {
     json["start_pose"] = {{"forearm_pronation_deg", 45}};
   });
   disk.Write("forearm.csv", RecordingText(200, 0.25));
-  const StartPose pose = *ReadTrial(disk.path()).trial.observations.start_pose;
+  const HeldPose pose = *ReadTrial(disk.path()).trial.observations.start_pose;
   EXPECT_EQ(pose.time, 0.25);
   EXPECT_FALSE(pose.elbow_flexion.has_value());
+}
+
+TEST(TrialFolder, TakesTheEndPoseForThatOfTheEndOfTheCommonTime) {
+  const TrialOnDisk disk([](ordered_json& json) {
+    json["end_pose"] = {{"label", "arms_along_body_thumbs_forward"}, {"sd_deg", 5}};
+  });
+  disk.Write("forearm.csv", RecordingText(150));
+  const TrialFolder folder = ReadTrial(disk.path());
+  const HeldPose pose = *folder.trial.observations.end_pose;
+  EXPECT_DOUBLE_EQ(pose.time, folder.trial.observations.recordings[1].time.back());
+  EXPECT_DOUBLE_EQ(*pose.forearm_pronation, 90 * kDegree);
+  EXPECT_DOUBLE_EQ(pose.sigma, 5 * kDegree);
+  EXPECT_THAT(folder.defaults, Contains(HasSubstr("end_pose.at_s = 1.49 s")));
+}
+
+TEST(TrialFolder, TakesContactsAndNamesThosePlacesThatHaveNoName) {
+  const TrialOnDisk disk([](ordered_json& json) {
+    json["contacts"] = {
+        {{"point", "wrist"}, {"at_s", {0.2, 1.2}}, {"place", "edge"}, {"sigma_m", 0.02}},
+        {{"point", "elbow"}, {"at_s", {0.5, 0.7, 0.9}}, {"axes", "height"}}};
+  });
+  const TrialFolder folder = ReadTrial(disk.path());
+  const std::vector<Contact>& contacts = folder.trial.observations.contacts;
+  ASSERT_THAT(contacts, SizeIs(2));
+  EXPECT_EQ(contacts[0].place, "edge");
+  EXPECT_EQ(contacts[0].segment, Segment::kForearm);
+  EXPECT_EQ(contacts[0].times, (std::vector<double>{0.2, 1.2}));
+  EXPECT_EQ(contacts[0].sigma, 0.02);
+  EXPECT_FALSE(contacts[0].height_only);
+  EXPECT_EQ(contacts[1].place, "place_2");
+  EXPECT_EQ(contacts[1].segment, Segment::kUpperArm);
+  EXPECT_EQ(contacts[1].sigma, 0.01);
+  EXPECT_TRUE(contacts[1].height_only);
+  EXPECT_THAT(Joined(folder.defaults), HasSubstr("contacts[1].sigma_m = 0.01 m\n"));
+}
+
+TEST(TrialFolder, RefusesContactsWhereTheArmIsNotKnown) {
+  const TrialOnDisk disk([](ordered_json& json) {
+    json["recordings"].erase(1);
+    json["contacts"] = {{{"point", "elbow"}, {"at_s", {0.2, 1.2}}}};
+  });
+  EXPECT_THAT(Complaint(disk), HasSubstr("contacts cannot be used"));
 }
 
 TEST(TrialFolder, KeepsALeftArmLeft) {

@@ -68,6 +68,11 @@ Trial MakeTrial() {
   observations.start_pose->time = 0.1;
   observations.start_pose->forearm_pronation = 0.4;
   observations.start_pose->sigma = 0.2;
+  observations.end_pose = HeldPose{
+      .time = 0.2, .elbow_flexion = 0.3, .forearm_pronation = {}, .shoulder_elevation = {}};
+  observations.contacts = {
+      {.place = "cup", .segment = Segment::kForearm, .times = {0.05, 0.2}, .sigma = 0.02},
+      {.place = "desk", .segment = Segment::kUpperArm, .times = {0.1, 0.15}, .height_only = true}};
   trial.reference = MakeReference();
   return trial;
 }
@@ -150,10 +155,21 @@ TEST(TrialRoundTrip, GivesTheSameTrial) {
   ASSERT_EQ(read.observations.intervals.size(), 2u);
   EXPECT_EQ(read.observations.intervals[1].label, "task:drinking");
   EXPECT_EQ(read.observations.intervals[1].end, 0.2);
-  const StartPose pose = read.observations.start_pose.value();
+  const HeldPose pose = read.observations.start_pose.value();
   EXPECT_NEAR(*pose.forearm_pronation, 0.4, kTolerance);
   EXPECT_NEAR(pose.sigma, 0.2, kTolerance);
   EXPECT_FALSE(pose.elbow_flexion.has_value());
+  EXPECT_NEAR(*read.observations.end_pose.value().elbow_flexion, 0.3, kTolerance);
+  EXPECT_EQ(read.observations.end_pose->time, 0.2);
+  ASSERT_EQ(read.observations.contacts.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Contact &a = written.observations.contacts[i], &b = read.observations.contacts[i];
+    EXPECT_EQ(a.place, b.place);
+    EXPECT_EQ(a.segment, b.segment);
+    EXPECT_EQ(a.times, b.times);
+    EXPECT_EQ(a.sigma, b.sigma);
+    EXPECT_EQ(a.height_only, b.height_only);
+  }
   ExpectSame(*written.reference, read.reference.value());
   EXPECT_THAT(folder.defaults, IsEmpty());
   EXPECT_THAT(folder.repairs, IsEmpty());

@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::AngleAxisd, Eigen::Quaterniond, Eigen::Vector3d;
 
-// A still arm: each segment's attitude, and ideal recordings of the sensors that it wears.
+// A still arm: each segment's attitude, and ideal recordings of the sensors that it wears. Its end
+// rests on something twice, and is twice as high.
 struct StillArm {
   Observations observations;
   std::vector<Quaterniond> q_WB;
@@ -40,6 +41,10 @@ struct StillArm {
       observations.recordings.back().segment = segment;
       observations.recordings.back().mounting = mounting;
     }
+    if (segments.size() > 1)
+      observations.contacts = {
+          {.place = "cup", .segment = segments.back(), .times = {2.0, 7.0}},
+          {.place = "desk", .segment = segments.back(), .times = {3.0, 9.0}, .height_only = true}};
   }
   ArmProblem Problem(double knot_spacing = 0.1) const { return {observations, {}, knot_spacing}; }
 
@@ -54,6 +59,14 @@ struct StillArm {
             q_WB[0] * observations.arm.segments.at(Segment::kThorax).p_distal_B;
       for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
         Eigen::Map<Vector3d>{state.Place(knot, sensor)} = problem.PlaceOnChain(state, knot, sensor);
+    }
+    for (int contact = 0; contact < problem.size().contacts; ++contact) {
+      const Vector3d p_W = problem.TouchingPoint(state, contact, 0);
+      double* const place = problem.Value(state, problem.PlaceOf(contact));
+      if (observations.contacts[static_cast<std::size_t>(contact)].height_only)
+        *place = p_W.z();
+      else
+        Eigen::Map<Vector3d>{place} = p_W;
     }
     return state;
   }
@@ -192,10 +205,11 @@ TEST(ArmProblem, HasNoResidualWhereAStillArmIsWhatItIs) {
   for (const auto& segments : kArms) {
     StillArm arm(segments);
     if (segments.size() > 1 && segments[0] == Segment::kUpperArm)
-      arm.observations.start_pose = StartPose{.time = 0.5,
-                                              .elbow_flexion = 0.7,
-                                              .forearm_pronation = 1.2,
-                                              .shoulder_elevation = ShoulderElevation(arm.q_WB[0])};
+      arm.observations.start_pose = arm.observations.end_pose =
+          HeldPose{.time = 0.5,
+                   .elbow_flexion = 0.7,
+                   .forearm_pronation = 1.2,
+                   .shoulder_elevation = ShoulderElevation(arm.q_WB[0])};
     ArmProblem problem = arm.Problem();
     State truth = arm.Truth(problem);
     problem.FixHeadings(truth);
@@ -216,6 +230,41 @@ TEST(ArmProblem, HasOneOfEachMeasurementPerSensorAndInterval) {
   EXPECT_EQ(Count(problem, ResidualKind::kShoulderProcess), intervals + 1);
   EXPECT_EQ(Count(problem, ResidualKind::kGyroBiasWalk), 5 * (problem.size().nodes - 1));
   EXPECT_EQ(Count(problem, ResidualKind::kZeroVelocity), 5 * (intervals - 1));  // a rest throughout
+}
+
+TEST(ArmProblem, HoldsAPoseAtTheKnotOfItsInstantAtEitherEnd) {
+  StillArm arm(kElbow);
+  arm.observations.start_pose = HeldPose{
+      .time = 0.5, .elbow_flexion = 0.7, .forearm_pronation = {}, .shoulder_elevation = {}};
+  arm.observations.end_pose = HeldPose{
+      .time = 11.3, .elbow_flexion = 0.7, .forearm_pronation = 1.2, .shoulder_elevation = {}};
+  const ArmProblem problem = arm.Problem();
+  EXPECT_EQ(Count(problem, ResidualKind::kStartPose), 1);
+  EXPECT_EQ(Count(problem, ResidualKind::kEndPose), 2);
+  for (const Term& term : problem.terms()) {
+    if (term.kind != ResidualKind::kEndPose) continue;
+    EXPECT_NEAR(problem.timeline().knots[static_cast<std::size_t>(term.first_knot)], 11.3, 0.1);
+  }
+}
+
+TEST(ArmProblem, TouchesAtTheNearestKnotOnceHoweverOftenItIsNamed) {
+  StillArm arm(kElbow);
+  arm.observations.contacts[0].times = {7.04, 2.0, 7.02};
+  const ArmProblem problem = arm.Problem();
+  ASSERT_EQ(problem.Touches(0).size(), 2u);
+  const auto& knots = problem.timeline().knots;
+  for (const int i : {0, 1})
+    EXPECT_NEAR(knots[static_cast<std::size_t>(problem.Touches(0)[static_cast<std::size_t>(i)])],
+                i == 0 ? 2.0 : 7.03, 0.051);
+  EXPECT_EQ(Count(problem, ResidualKind::kContact), 4);
+}
+
+// The wrist of a forearm that no sensor follows is as far as a tape says; what touches tests that.
+TEST(ArmProblem, AsksForTheLengthOfTheLastSegmentWhereItTouches) {
+  StillArm arm(kElbow);
+  EXPECT_GE(arm.Problem().Constant(UnknownKind::kJointVector, 1), 0);
+  arm.observations.contacts.clear();
+  EXPECT_EQ(arm.Problem().Constant(UnknownKind::kJointVector, 1), -1);
 }
 
 TEST(ArmProblem, KnowsNoElbowAndNoShoulderWhereOneSensorIsAlone) {

@@ -9,7 +9,7 @@
 namespace brachium {
 namespace {
 
-constexpr StateSize kSize{.sensors = 3, .roots = 2, .knots = 4, .nodes = 2};
+constexpr StateSize kSize{.sensors = 3, .roots = 2, .knots = 4, .nodes = 2, .contacts = 2};
 
 // Every block of a state: where it lies and how many numbers it holds.
 std::vector<std::pair<double*, int>> Blocks(State& state) {
@@ -36,6 +36,8 @@ std::vector<std::pair<double*, int>> Blocks(State& state) {
   }
   blocks.push_back({state.Constant(UnknownKind::kShoulderMean, -1), 3});
   blocks.push_back({state.Constant(UnknownKind::kCarryingAngle, -1), 2});
+  for (int contact = 0; contact < size.contacts; ++contact)
+    blocks.push_back({state.Constant(UnknownKind::kContactPlace, contact), 3});
   return blocks;
 }
 

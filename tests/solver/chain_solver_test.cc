@@ -102,6 +102,15 @@ TEST(BothSolvers, ReachTheSameMinimumOfALongerChain) {
   Started(trial.observations).ExpectTheSameMinimumByBothSolvers();
 }
 
+TEST(BothSolvers, ReachTheSameMinimumWithPosesAtBothEndsAndContacts) {
+  ScenarioOptions options{.name = "nine_hole_peg_test", .seed = 5};
+  options.duration = UsualDuration(options);
+  SimulationOptions errors;
+  errors.tell_end_pose = errors.tell_contacts = true;
+  Started(Simulate(MakeScenario(options), errors).trial.observations)
+      .ExpectTheSameMinimumByBothSolvers();
+}
+
 class BothSolversOnARig : public testing::TestWithParam<std::string> {};
 
 TEST_P(BothSolversOnARig, ReachTheSameMinimum) {

@@ -66,6 +66,26 @@ TEST(Constants, AreNamedInTheirUnitAndCarryTheirStandardDeviation) {
   EXPECT_TRUE(by_name.contains("upper_arm.accelerometer_bias_m_s2"));
 }
 
+TEST(Constants, TellWhereTheTouchedPlacesAre) {
+  Trial trial = Brisk(16);
+  trial.observations.contacts = {
+      {.place = "start", .segment = Segment::kForearm, .times = {1.0, 2.0, 15.5}},
+      {.place = "low", .segment = Segment::kForearm, .times = {0.5, 15.0}, .height_only = true}};
+  Solved solved(trial.observations);
+  std::map<std::string, Constant> by_name;
+  for (const Constant& constant : DescribeConstants(solved.problem, solved.state, solved.certainty))
+    by_name[constant.name] = constant;
+  const Constant &place = by_name.at("contact.start_m"),
+                 &height = by_name.at("contact.low_height_m");
+  ASSERT_EQ(place.value.size(), 3u);
+  ASSERT_EQ(height.value.size(), 1u);
+  EXPECT_NEAR(place.value[2], height.value[0], 0.02);
+  EXPECT_LT(place.sd.at(2), 0.02);
+  EXPECT_LT(height.sd.at(0), 0.02);
+  for (const std::string& sentence : HeldByPrior(solved.problem, solved.certainty))
+    EXPECT_THAT(sentence, Not(HasSubstr("contact.")));
+}
+
 TEST(HeldByPrior, NamesWhatAStillArmCannotTell) {
   const Solved solved(Still());
   const auto sentences = HeldByPrior(solved.problem, solved.certainty);

@@ -38,6 +38,8 @@ struct Stretch {
       for (const UnknownKind lever : {UnknownKind::kSensorPosition, UnknownKind::kJointVector})
         std::fill_n(state.Constant(lever, sensor), 3, 0.0);
     }
+    for (int contact = 0; contact < problem.size().contacts; ++contact)
+      std::fill_n(state.Constant(UnknownKind::kContactPlace, contact), 3, 0.0);
   }
 
   Elimination Eliminated(const CarriedPrior& prior, int start, int end) {
@@ -53,6 +55,10 @@ struct Stretch {
       recording.noise.gyro_bias_walk = 0.3 * kDegree;
     }
     observations.start_pose.reset();
+    // Before, within and after the first steps: a place waits for them, a length outlasts them.
+    observations.contacts = {
+        {.place = "cup", .segment = Segment::kForearm, .times = {7.1, 7.3, 7.8}, .sigma = 0.1},
+        {.place = "desk", .segment = Segment::kUpperArm, .times = {7.2, 7.5}, .height_only = true}};
     return observations;
   }
 };
@@ -191,6 +197,36 @@ TEST(Elimination, CarriesOnOfTheHeadingOnlyTheShareOfTheGauge) {
   const double share = 1.0 / (1e-6 + V);
   EXPECT_LT(share, 1e6);
   EXPECT_NEAR(HeadingInformation(stretch, kEnd) / share, 1.0, 1e-9);
+}
+
+// d/dψ of all unknowns, in world axes, as the whole arm turns with the places that it touches.
+VectorXd TurnOfTheWhole(Stretch& stretch) {
+  std::vector<int> all;
+  for (int unknown = 0; unknown < stretch.problem.unknowns(); ++unknown) all.push_back(unknown);
+  VectorXd d = HeadingDirection(stretch, all);
+  DenseInformation layout(stretch.problem);
+  const std::set<UnknownKind> in_world = {UnknownKind::kRoot, UnknownKind::kVelocity,
+                                          UnknownKind::kPlace, UnknownKind::kShoulderMean,
+                                          UnknownKind::kContactPlace};
+  for (const int unknown : all)
+    if (in_world.contains(stretch.problem.Describe(unknown).kind))
+      d.segment<3>(layout.OffsetOf(unknown)) = Eigen::Vector3d::UnitZ().cross(
+          Eigen::Map<const Eigen::Vector3d>(stretch.problem.Value(stretch.state, unknown)));
+  return d;
+}
+
+TEST(Information, OfATurnOfTheWholeArmIsThatOfTheGaugeThoughItTouches) {
+  Stretch stretch;
+  stretch.state.Constant(UnknownKind::kContactPlace, 0)[1] += 0.2;  // nor does it as it misses
+  DenseInformation all(stretch.problem), contacts(stretch.problem);
+  all.AddTerms(stretch.problem, stretch.state, 0, stretch.problem.size().knots);
+  for (const Term& term : stretch.problem.terms())
+    if (term.kind == ResidualKind::kContact)
+      contacts.Add(*term.cost, term.unknowns, stretch.problem, stretch.state);
+  const VectorXd turn = TurnOfTheWhole(stretch);
+  EXPECT_GT(contacts.H.norm(), 100.0);
+  EXPECT_LT(turn.dot(contacts.H * turn), 1e-9);
+  EXPECT_NEAR(turn.dot(all.H * turn) / 1e6, 1.0, 1e-9);
 }
 
 TEST(Elimination, CarriesOnNothingOfTheHeadingWithoutAGauge) {

@@ -82,6 +82,25 @@ TEST(Headings, OfAStillHangingArmAreHeldByTheStartPoseAlone) {
                              HasSubstr("little held throughout"))));
 }
 
+// A forearm that turns about the elbow takes a place that it touches once with it.
+TEST(Headings, AreNotHeldByAPlaceThatIsTouchedOnceButByOneThatIsTouchedAgain) {
+  Trial trial = Brisk(16);
+  const auto& reference = *trial.reference;
+  Contact wrist{.place = "here", .segment = Segment::kForearm, .times = {6.0}};
+  const auto support = [&] {
+    trial.observations.contacts = {wrist};
+    return Smooth(trial.observations).diagnostics.headings.front();
+  };
+  EXPECT_THAT(support().sd_by, Not(Contains(Key("contact"))));
+  const auto place = [&](std::size_t i) { return reference.p_V.at("wrist")[i]; };
+  std::size_t again = 700;  // any other instant, told as loosely as it is off
+  for (std::size_t i = 700; i < 1200; ++i)
+    if ((place(i) - place(600)).norm() < (place(again) - place(600)).norm()) again = i;
+  wrist.times.push_back(reference.time[again]);
+  wrist.sigma = std::max(0.01, (place(again) - place(600)).norm());
+  EXPECT_THAT(support().sd_by, Contains(Key("contact")));
+}
+
 TEST(Headings, HaveNoStandardDeviationsWhereNoneAreAskedFor) {
   SmootherOptions options;
   options.covariance = false;

@@ -41,9 +41,27 @@ class Poses : public testing::Test {
       recording.mounting->q_sigma = 2 * kDegree;
     }
     observations.start_pose.reset();
+    observations.contacts = {
+        {.place = "cup", .segment = Segment::kForearm, .times = {5.3, 5.6}, .sigma = 0.1}};
     return observations;
   }
 
+  // Of the joint at the end of that many segments, p = p_root + Σ R_i d_i.
+  Vector3d DenseJoint(int knot, int segments) {
+    std::vector<std::pair<int, Matrix3d>> moves{{problem_.Root(knot, 0), Matrix3d::Identity()}};
+    for (int sensor = 0; sensor < segments; ++sensor) {
+      const Matrix3d R = problem_.SegmentAttitude(state_, knot, sensor).toRotationMatrix();
+      const Vector3d d = Map<Vector3d>(state_.Constant(UnknownKind::kJointVector, sensor));
+      for (const auto& [unknown, J] : TurnsOfSegment(problem_, state_, knot, sensor))
+        moves.emplace_back(unknown, -Skew<double>(R * d) * J);
+      moves.emplace_back(problem_.Constant(UnknownKind::kJointVector, sensor), R);
+    }
+    Vector3d variance = Vector3d::Zero();
+    for (const auto& [left, J_left] : moves)
+      for (const auto& [right, J_right] : moves)
+        variance += (J_left * Dense(left, right) * J_right.transpose()).diagonal();
+    return variance;
+  }
   Matrix3d Dense(int a, int b) { return dense_.block<3, 3>(all_->OffsetOf(a), all_->OffsetOf(b)); }
 };
 
@@ -61,20 +79,15 @@ TEST_F(Poses, HaveTheAttitudesOfTheDenseInverse) {
   }
 }
 
-// p = p_root + R_U d.
 TEST_F(Poses, HaveTheElbowOfTheDenseInverse) {
-  const int knot = 11, lever = problem_.Constant(UnknownKind::kJointVector, 0);
-  const Matrix3d R = problem_.SegmentAttitude(state_, knot, 0).toRotationMatrix();
-  const Vector3d d = Map<Vector3d>(state_.Constant(UnknownKind::kJointVector, 0));
-  auto moves = TurnsOfSegment(problem_, state_, knot, 0);
-  for (auto& [unknown, J] : moves) J = -Skew<double>(R * d) * J;
-  moves.emplace_back(problem_.Root(knot, 0), Matrix3d::Identity());
-  moves.emplace_back(lever, R);
-  Vector3d expected = Vector3d::Zero();
-  for (const auto& [left, J_left] : moves)
-    for (const auto& [right, J_right] : moves)
-      expected += (J_left * Dense(left, right) * J_right.transpose()).diagonal();
-  EXPECT_LT((poses_->Joints(knot, 0.0)[1] - expected).norm(), 1e-7 * expected.norm());
+  const Vector3d expected = DenseJoint(11, 1);
+  EXPECT_LT((poses_->Joints(11, 0.0)[1] - expected).norm(), 1e-7 * expected.norm());
+}
+
+// The length of the forearm, of which nothing but the touches at knots 3 and 6 speaks.
+TEST_F(Poses, HaveTheWristOfTheDenseInverseLongAfterItTouched) {
+  const Vector3d expected = DenseJoint(21, 2);
+  EXPECT_LT((poses_->Joints(21, 0.0)[2] - expected).norm(), 1e-7 * expected.norm());
 }
 
 TEST_F(Poses, AreNoMoreCertainBetweenKnotsThanTheGyroscopeAllows) {

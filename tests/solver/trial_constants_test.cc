@@ -91,6 +91,23 @@ TEST(TrialConstants, MayBeSwitchedOff) {
       EXPECT_EQ(constant.name.find(off), std::string::npos) << constant.name;
 }
 
+// Of a mounting that wobbles the elbow's axes show anything.
+TEST(TrialConstants, LeaveMountingsAsToldWhereSensorsMoveOnTheirSegments) {
+  SimulationOptions errors;
+  errors.draw_sizes = true;
+  errors.mounting_error = 3 * kDegree;
+  errors.soft_tissue = TypicalSoftTissue();
+  const Trial trial = Simulate(MakeScenario(BriskScenario(60)), errors).trial;
+  const Estimate estimate = BatchSmoother({}).Run(trial.observations);
+  for (const Constant& constant : estimate.diagnostics.constants)
+    EXPECT_EQ(constant.name.find("mounting_turn"), std::string::npos) << constant.name;
+  EXPECT_GT(estimate.sd_B.at(Segment::kForearm)[3000].minCoeff(), 3 * kDegree);
+  bool said = false;
+  for (const std::string& note : estimate.diagnostics.notes)
+    said = said || note.find("mountings are taken as they were told") != std::string::npos;
+  EXPECT_TRUE(said);
+}
+
 TEST(SoftTissue, IsFollowedWhereItIsAskedFor) {
   SimulationOptions errors;
   errors.soft_tissue = TypicalSoftTissue();

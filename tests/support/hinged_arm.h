@@ -38,10 +38,10 @@ inline Trial HingedArm(const HingedArmOptions& options) {
   Observations& observations = trial.observations;
   observations.arm.side = options.side;
   observations.arm.elbow.carrying_angle = options.carrying_angle;
-  observations.start_pose = StartPose{.time = 0.0,
-                                      .elbow_flexion = std::numbers::pi / 2,
-                                      .forearm_pronation = 0.0,
-                                      .shoulder_elevation = {}};
+  observations.start_pose = HeldPose{.time = 0.0,
+                                     .elbow_flexion = std::numbers::pi / 2,
+                                     .forearm_pronation = 0.0,
+                                     .shoulder_elevation = {}};
   const auto times = EvenTimes(0.005, 0.01, static_cast<std::size_t>(options.duration * 100));
   const BodyMotion upper{.turning = {.q_AB = options.q_WU}, .joint_W = {}};
   trial.reference = Reference{};

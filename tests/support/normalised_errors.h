@@ -52,7 +52,7 @@ inline UncertainCase DrawnAsStated(const std::string& scenario, std::uint64_t se
   drawn.errors.mounting_error = Mounting{}.q_sigma;
   drawn.errors.lever_arm_error = Mounting{}.p_sigma;
   drawn.errors.length_error = SegmentGeometry{}.sigma;
-  drawn.errors.start_pose_error = StartPose{}.sigma;
+  drawn.errors.start_pose_error = HeldPose{}.sigma;
 
   return drawn;
 }

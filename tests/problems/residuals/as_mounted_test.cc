@@ -5,8 +5,8 @@
 #include "problems/arm_model.h"
 #include "problems/joint_angles.h"
 #include "problems/residuals/elbow_adduction.h"
+#include "problems/residuals/held_pose.h"
 #include "problems/residuals/segment_chain.h"
-#include "problems/residuals/start_pose.h"
 #include "tests/support/jacobian_check.h"
 
 namespace brachium {
@@ -61,9 +61,9 @@ TEST(AsMounted, HearsNothingFromAnElbowOfTheZerosOfFlexionAndPronation) {
 
 TEST(AsMounted, DerivativesAgree) {
   EXPECT_TRUE(DerivativesAgreeAtRandomPoints(AsMounted(SegmentChain<2>(0.5))));
-  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(AsMounted(ElevationStartPose(0.4, 0.2))));
+  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(AsMounted(ElevationHeldPose(0.4, 0.2))));
   EXPECT_TRUE(DerivativesAgreeAtRandomPoints(
-      AsMounted(ElbowStartPose(ElbowAngle::kPronation, Side::kLeft, 0.3, 0.2))));
+      AsMounted(ElbowHeldPose(ElbowAngle::kPronation, Side::kLeft, 0.3, 0.2))));
 }
 
 }  // namespace

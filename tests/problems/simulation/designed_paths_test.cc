@@ -84,6 +84,19 @@ TEST(Rectangle, IsMetByTheWristOnAllFourSides) {
   }
 }
 
+TEST(Rectangle, HasTheWristStillAtItsCornersInEachLap) {
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    const Scenario scenario = MakeUsual("rectangle", side);
+    ASSERT_EQ(scenario.contacts.size(), 4u);
+    for (const Contact& contact : scenario.contacts) {
+      EXPECT_GE(contact.times.size(), 20u);
+      const Vector3d corner = Place(scenario, "rectangle." + contact.place + "_m");
+      for (const double time : contact.times)
+        EXPECT_LT((scenario.At(time).wrist_W.p - corner).norm(), 1e-9) << contact.place;
+    }
+  }
+}
+
 TEST(DesignedPath, IsLeftByATremblingHand) {
   ScenarioOptions options = MakeUsual("circle").options;
   options.tremor = 0.3 * kDegree;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/simulation/simulate.h"
+#include "tests/support/scenarios.h"
 
 namespace brachium {
 namespace {
@@ -204,6 +205,44 @@ TEST(Telling, TellsRestsAndStartPoseAsAsked) {
   EXPECT_LT(observations.intervals[0].end, kRestAtStart);
   EXPECT_GT(observations.intervals[1].start, 20.0 - kRestAtEnd);
   EXPECT_TRUE(Simulate(Brisk(), {}).trial.observations.intervals.empty());
+}
+
+TEST(Telling, TellsTheEndPoseWithErrorsOfItsOwn) {
+  SimulationOptions options;
+  options.start_pose_error = 5 * kDegree;
+  EXPECT_FALSE(Simulate(Brisk(), options).trial.observations.end_pose.has_value());
+  options.tell_end_pose = options.draw_sizes = true;
+  const Observations observations = Simulate(Brisk(), options).trial.observations;
+  EXPECT_GT(observations.end_pose->time, 20.0 - kRestAtEnd);
+  EXPECT_EQ(observations.end_pose->sigma, 5 * kDegree);
+  EXPECT_NE(observations.end_pose->elbow_flexion, observations.start_pose->elbow_flexion);
+}
+
+TEST(Telling, TellsTheAnglesThatTheArmHasAtBothEnds) {
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    SimulationOptions options;
+    options.tell_end_pose = true;
+    const Scenario scenario =
+        MakeScenario({.name = "daily_brisk", .seed = 3, .side = side, .duration = 20.0});
+    const Observations observations = Simulate(scenario, options).trial.observations;
+    for (const HeldPose& pose : {*observations.start_pose, *observations.end_pose}) {
+      EXPECT_NEAR(Elbow(scenario, pose.time).flexion, *pose.elbow_flexion, 1e-9);
+      EXPECT_NEAR(Elbow(scenario, pose.time).pronation, *pose.forearm_pronation, 1e-9);
+    }
+  }
+}
+
+TEST(Telling, TellsContactsOfWornSegmentsWhereAsked) {
+  const Scenario scenario = MakeUsual("nine_hole_peg_test");
+  SimulationOptions options;
+  EXPECT_TRUE(Simulate(scenario, options).trial.observations.contacts.empty());
+  options.tell_contacts = true;
+  const Observations observations = Simulate(scenario, options).trial.observations;
+  ASSERT_EQ(observations.contacts.size(), 2u);
+  EXPECT_EQ(observations.contacts[0].times.size(), 9u);
+  EXPECT_EQ(observations.contacts[1].times.size(), 18u);
+  options.worn = {Segment::kUpperArm, Segment::kForearm};
+  EXPECT_TRUE(Simulate(scenario, options).trial.observations.contacts.empty());
 }
 
 TEST(SimulationOptions, SayWhatIsWrong) {

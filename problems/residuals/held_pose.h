@@ -1,4 +1,4 @@
-// Start pose: joint angles that the person was asked to hold at one instant.
+// Held pose: joint angles that the person was asked to hold at one instant, at the start or the end.
 //
 //   elbow      r = (angle(R_UF) - told) / σ      one residual for flexion, one for pronation
 //   elevation  r = (cos(told) - y_U · e_z) / (σ max(sin(told), sin σ))
@@ -28,12 +28,12 @@ namespace brachium {
 
 enum class ElbowAngle { kFlexion, kPronation };
 
-class ElbowStartPose {
+class ElbowHeldPose {
  public:
   static constexpr int kResiduals = 1;
   using Blocks = std::integer_sequence<int, 4, 4>;  // q_WU, q_WF
 
-  ElbowStartPose(ElbowAngle angle, Side side, double told, double sigma)
+  ElbowHeldPose(ElbowAngle angle, Side side, double told, double sigma)
       : angle_(angle), s_(Sign(side)), told_(told), weight_(1 / sigma) {}
 
   template <typename T>
@@ -59,12 +59,12 @@ class ElbowStartPose {
   double weight_;
 };
 
-class ElevationStartPose {
+class ElevationHeldPose {
  public:
   static constexpr int kResiduals = 1;
   using Blocks = std::integer_sequence<int, 4>;  // q_WU
 
-  ElevationStartPose(double told, double sigma)
+  ElevationHeldPose(double told, double sigma)
       : cos_told_(std::cos(told)),
         weight_(1 / (sigma * std::max(std::sin(told), std::sin(sigma)))) {}
 
@@ -87,12 +87,12 @@ class ElevationStartPose {
 };
 
 // Requires axes x that are not upright.
-class FacingStartPose {
+class FacingHeldPose {
  public:
   static constexpr int kResiduals = 1;
   using Blocks = std::integer_sequence<int, 4, 4>;  // q_WG, q_WU
 
-  explicit FacingStartPose(double sigma) : weight_(1 / sigma) {}
+  explicit FacingHeldPose(double sigma) : weight_(1 / sigma) {}
 
   template <typename T>
   void operator()(const T* const* x, T* r) const {

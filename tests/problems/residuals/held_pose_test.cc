@@ -1,4 +1,4 @@
-#include "problems/residuals/start_pose.h"
+#include "problems/residuals/held_pose.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ constexpr double kSigma = 10 * kDegree;
 double Elbow(ElbowAngle angle, Side side, double told, const ElbowAngles& pose) {
   std::mt19937 random(1);
   const Quaterniond q_WU = RandomRotation(random);
-  return ResidualAt(ElbowStartPose(angle, side, told, kSigma),
+  return ResidualAt(ElbowHeldPose(angle, side, told, kSigma),
                     {q_WU.coeffs(), (q_WU * ElbowRotation(pose, side)).coeffs()})[0];
 }
 
@@ -29,10 +29,10 @@ Quaterniond Raised(double elevation, double heading, double twist) {
 }
 
 double Elevation(double told, const Quaterniond& q_WU) {
-  return ResidualAt(ElevationStartPose(told, kSigma), {q_WU.coeffs()})[0];
+  return ResidualAt(ElevationHeldPose(told, kSigma), {q_WU.coeffs()})[0];
 }
 
-TEST(ElbowStartPose, IsZeroAtTheToldAngleAndOneAtOneSigmaOnBothSides) {
+TEST(ElbowHeldPose, IsZeroAtTheToldAngleAndOneAtOneSigmaOnBothSides) {
   for (const Side side : kSides)
     for (const double told : {0.0, 0.6, 1.5}) {
       EXPECT_NEAR(Elbow(ElbowAngle::kFlexion, side, told, {told, 0.2, 1.0}), 0.0, 1e-12);
@@ -42,7 +42,7 @@ TEST(ElbowStartPose, IsZeroAtTheToldAngleAndOneAtOneSigmaOnBothSides) {
     }
 }
 
-TEST(ElbowStartPose, TakesTheShorterWayAround) {
+TEST(ElbowHeldPose, TakesTheShorterWayAround) {
   for (const Side side : kSides) {
     EXPECT_NEAR(Elbow(ElbowAngle::kPronation, side, 175 * kDegree, {0.4, 0.1, -175 * kDegree}), 1.0,
                 1e-12);
@@ -51,27 +51,27 @@ TEST(ElbowStartPose, TakesTheShorterWayAround) {
   }
 }
 
-TEST(ElbowStartPose, IsBlindToTheCommonHeading) {
+TEST(ElbowHeldPose, IsBlindToTheCommonHeading) {
   std::mt19937 random(1);
-  const ElbowStartPose residual(ElbowAngle::kPronation, Side::kLeft, 1.5, kSigma);
-  const BlockValues x = RandomValues(ElbowStartPose::Blocks(), random);
+  const ElbowHeldPose residual(ElbowAngle::kPronation, Side::kLeft, 1.5, kSigma);
+  const BlockValues x = RandomValues(ElbowHeldPose::Blocks(), random);
   const Quaterniond q_VW(AngleAxisd(0.8, Vector3d::UnitZ()));
   EXPECT_NEAR(ResidualAt(residual, TurnedWorld(q_VW, x, {false, false}))[0],
               ResidualAt(residual, x)[0], 1e-10);
 }
 
 // A hanging forearm that turns about the vertical pronates: what ties the two headings together.
-TEST(ElbowStartPose, SeesTheRelativeHeadingOfAStraightHangingArm) {
+TEST(ElbowHeldPose, SeesTheRelativeHeadingOfAStraightHangingArm) {
   const Quaterniond hanging = Raised(0.0, 0.0, 0.0);
   for (const Side side : kSides) {
     const Quaterniond q_WF = AngleAxisd(Sign(side) * kSigma, Vector3d::UnitZ()) * hanging;
-    EXPECT_NEAR(ResidualAt(ElbowStartPose(ElbowAngle::kPronation, side, 0.0, kSigma),
+    EXPECT_NEAR(ResidualAt(ElbowHeldPose(ElbowAngle::kPronation, side, 0.0, kSigma),
                            {hanging.coeffs(), q_WF.coeffs()})[0],
                 1.0, 1e-12);
   }
 }
 
-TEST(ElbowStartPose, DerivativesAgree) {
+TEST(ElbowHeldPose, DerivativesAgree) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angle(-1.4, 2.4), carrying(-1.2, 1.2);
   for (const ElbowAngle kind : {ElbowAngle::kFlexion, ElbowAngle::kPronation})
@@ -80,17 +80,17 @@ TEST(ElbowStartPose, DerivativesAgree) {
         const Quaterniond q_WU = RandomRotation(random);
         const Quaterniond q_UF =
             ElbowRotation({angle(random), carrying(random), angle(random)}, side);
-        EXPECT_TRUE(DerivativesAgree(ElbowStartPose(kind, side, 0.5, kSigma),
+        EXPECT_TRUE(DerivativesAgree(ElbowHeldPose(kind, side, 0.5, kSigma),
                                      {q_WU.coeffs(), (q_WU * q_UF).coeffs()}, 1e-7));
       }
 }
 
-TEST(ElevationStartPose, IsZeroAtTheToldElevation) {
+TEST(ElevationHeldPose, IsZeroAtTheToldElevation) {
   for (const double told : {0.0, 0.5, 90 * kDegree, 2.5})
     EXPECT_NEAR(Elevation(told, Raised(told, 1.0, 0.3)), 0.0, 1e-12);
 }
 
-TEST(ElevationStartPose, IsAboutOneAtOneSigmaAwayFromHanging) {
+TEST(ElevationHeldPose, IsAboutOneAtOneSigmaAwayFromHanging) {
   for (const double told : {60 * kDegree, 90 * kDegree, 120 * kDegree}) {
     EXPECT_NEAR(Elevation(told, Raised(told + kSigma, 1.0, 0.3)), 1.0, 0.06);
     EXPECT_NEAR(Elevation(told, Raised(told - kSigma, 1.0, 0.3)), -1.0, 0.06);
@@ -98,23 +98,23 @@ TEST(ElevationStartPose, IsAboutOneAtOneSigmaAwayFromHanging) {
 }
 
 // The cosine is flat at the pole: half a sigma's worth at one sigma, full strength at twice that.
-TEST(ElevationStartPose, IsSoftAboutHangingButHoldsBeyondTwoSigma) {
+TEST(ElevationHeldPose, IsSoftAboutHangingButHoldsBeyondTwoSigma) {
   EXPECT_NEAR(Elevation(0.0, Raised(kSigma, 1.0, 0.3)), 0.5, 0.01);
   EXPECT_NEAR(Elevation(0.0, Raised(2 * kSigma, 1.0, 0.3)), 2.0, 0.05);
 }
 
-TEST(ElevationStartPose, IsBlindToHeadingAndToATurnAboutTheArm) {
+TEST(ElevationHeldPose, IsBlindToHeadingAndToATurnAboutTheArm) {
   EXPECT_NEAR(Elevation(0.5, Raised(1.0, 0.0, 0.0)), Elevation(0.5, Raised(1.0, 2.0, -1.3)), 1e-12);
 }
 
-TEST(ElevationStartPose, DerivativesAgreeAlsoAtThePole) {
-  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(ElevationStartPose(0.5, kSigma)));
-  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(ElevationStartPose(0.0, kSigma)));
-  EXPECT_TRUE(DerivativesAgree(ElevationStartPose(0.0, kSigma), {Raised(0.0, 0.3, 0.2).coeffs()}));
+TEST(ElevationHeldPose, DerivativesAgreeAlsoAtThePole) {
+  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(ElevationHeldPose(0.5, kSigma)));
+  EXPECT_TRUE(DerivativesAgreeAtRandomPoints(ElevationHeldPose(0.0, kSigma)));
+  EXPECT_TRUE(DerivativesAgree(ElevationHeldPose(0.0, kSigma), {Raised(0.0, 0.3, 0.2).coeffs()}));
 }
 
-TEST(FacingStartPose, IsTheTurnOfTheArmOutOfTheBodysHeadingHoweverBothAreTilted) {
-  const FacingStartPose residual(kSigma);
+TEST(FacingHeldPose, IsTheTurnOfTheArmOutOfTheBodysHeadingHoweverBothAreTilted) {
+  const FacingHeldPose residual(kSigma);
   for (const double tilt : {0.0, 0.3})
     for (const double turn : {-kSigma, 0.0, 2 * kSigma}) {
       const Quaterniond q_WG = Raised(0.0, 3.0, 0.0) * AngleAxisd(tilt, Vector3d::UnitX());
@@ -123,21 +123,21 @@ TEST(FacingStartPose, IsTheTurnOfTheArmOutOfTheBodysHeadingHoweverBothAreTilted)
     }
 }
 
-TEST(FacingStartPose, IsBlindToTheCommonHeading) {
+TEST(FacingHeldPose, IsBlindToTheCommonHeading) {
   std::mt19937 random(1);
-  const FacingStartPose residual(kSigma);
-  const BlockValues x = RandomValues(FacingStartPose::Blocks(), random);
+  const FacingHeldPose residual(kSigma);
+  const BlockValues x = RandomValues(FacingHeldPose::Blocks(), random);
   const Quaterniond q_VW(AngleAxisd(0.8, Vector3d::UnitZ()));
   EXPECT_NEAR(ResidualAt(residual, TurnedWorld(q_VW, x, {false, false}))[0],
               ResidualAt(residual, x)[0], 1e-10);
 }
 
-TEST(FacingStartPose, DerivativesAgreeWhereNoFrontIsUpright) {
+TEST(FacingHeldPose, DerivativesAgreeWhereNoFrontIsUpright) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> heading(-3.0, 3.0), tilt(-1.0, 1.0);
   const auto pose = [&] { return Raised(tilt(random), heading(random), tilt(random)).coeffs(); };
   for (int i = 0; i < 50; ++i)
-    EXPECT_TRUE(DerivativesAgree(FacingStartPose(kSigma), {pose(), pose()}));
+    EXPECT_TRUE(DerivativesAgree(FacingHeldPose(kSigma), {pose(), pose()}));
 }
 
 }  // namespace
