@@ -1,4 +1,5 @@
-// Reading and writing a recording of a million rows as comma-separated text.
+// Reading and writing comma-separated text: a recording of a million rows, and the estimate of a
+// minute with all its standard deviations.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -6,6 +7,9 @@
 #include <filesystem>
 
 #include "io/csv.h"
+#include "io/estimate_csv.h"
+#include "problems/simulation/simulate.h"
+#include "solver/batch_smoother.h"
 
 namespace brachium {
 namespace {
@@ -52,7 +56,7 @@ void WriteRecording(benchmark::State& state) {
   for (auto _ : state) WriteCsv(File(), kRows, columns);
   CountBytes(state, File());
 }
-BENCHMARK(WriteRecording)->Unit(benchmark::kMillisecond);
+BENCHMARK(WriteRecording)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void ReadRecording(benchmark::State& state) {
   const std::vector<double> numbers = SyntheticRecording();
@@ -60,7 +64,27 @@ void ReadRecording(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(ReadCsv(File()));
   CountBytes(state, File());
 }
-BENCHMARK(ReadRecording)->Unit(benchmark::kMillisecond);
+BENCHMARK(ReadRecording)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+const Estimate& EstimateOfAMinute() {
+  static const Estimate estimate =
+      BatchSmoother({}).Run(Simulate(MakeScenario({.name = "daily_brisk"}), {}).trial.observations);
+  return estimate;
+}
+
+void WriteEstimate(benchmark::State& state) {
+  const Estimate& estimate = EstimateOfAMinute();
+  for (auto _ : state) WriteEstimateCsv(estimate, File());
+  CountBytes(state, File());
+}
+BENCHMARK(WriteEstimate)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void ReadEstimate(benchmark::State& state) {
+  WriteEstimateCsv(EstimateOfAMinute(), File());
+  for (auto _ : state) benchmark::DoNotOptimize(ReadEstimateCsv(File()));
+  CountBytes(state, File());
+}
+BENCHMARK(ReadEstimate)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace brachium

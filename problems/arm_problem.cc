@@ -69,8 +69,8 @@ int Unknown::Size() const {
 }
 
 ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& options,
-                       double knot_spacing, int clock_sensor)
-    : observations_(observations), options_(options), clock_sensor_(clock_sensor) {
+                       double knot_spacing, std::optional<Segment> clock)
+    : observations_(observations), options_(options), clock_sensor_(clock ? SensorOn(*clock) : 0) {
   for (const Recording& recording : observations_.recordings) {
     preintegrators_.emplace_back(recording);
     rests_.push_back(DetectRests(recording, {}));
@@ -91,10 +91,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   intervals_.reserve(U(timeline_.Intervals() * sensors));
   for (int knot = 0; knot < timeline_.Intervals(); ++knot)
     for (int sensor = 0; sensor < sensors; ++sensor) {
-      const double start = timeline_.knots[U(knot)], end = timeline_.knots[U(knot) + 1];
-      const double* bias = prior.GyroBias(timeline_.NodeBefore(start), sensor);
-      intervals_.push_back(
-          preintegrators_[U(sensor)].Sum(start, end, Vector3d(bias[0], bias[1], bias[2])));
+      intervals_.push_back(SumInterval(prior, knot, sensor));
       AddGyroscope(knot, sensor);
       AddAccelerometer(knot, sensor);
     }
@@ -111,8 +108,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   if (observations_.start_pose) AddHeldPose(*observations_.start_pose, ResidualKind::kStartPose);
   if (observations_.end_pose) AddHeldPose(*observations_.end_pose, ResidualKind::kEndPose);
   for (int contact = 0; contact < size_.contacts; ++contact) AddContact(contact);
-  std::stable_sort(terms_.begin(), terms_.end(),
-                   [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
+  SortTerms();
 }
 
 Unknown ArmProblem::Describe(int unknown) const {

@@ -7,6 +7,7 @@
 #include <ceres/loss_function.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,9 +75,9 @@ struct Unmodelled {
 class ArmProblem {
  public:
   // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
-  // `clock_sensor`: whose clock is the true time.
+  // `clock`: the segment whose sensor's clock is the true time; else the first one's.
   ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing,
-             int clock_sensor = 0);
+             std::optional<Segment> clock = std::nullopt);
 
   const Timeline& timeline() const { return timeline_; }
   const StateSize& size() const { return size_; }
@@ -120,11 +121,16 @@ class ArmProblem {
   const Preintegrator& Samples(int sensor) const {
     return preintegrators_[static_cast<std::size_t>(sensor)];
   }
+  // By the sensor's own clock.
   const std::vector<RestInterval>& Rests(int sensor) const {
     return rests_[static_cast<std::size_t>(sensor)];
   }
   const Observations& observations() const { return observations_; }
   const ModelOptions& options() const { return options_; }
+
+  // Takes the clocks to be as in `state`: moves rests by them, and sums all samples again about them
+  // and the biases in `state`. Terms and what was planned of them become invalid.
+  void SumAgain(const State& state);
 
   // A state with every constant at its prior mean, biases from the rests, knots not yet set.
   State PriorState() const;
@@ -157,12 +163,14 @@ class ArmProblem {
   double UnmodelledDensity(int knot, int sensor, double sigma) const;
 
  private:
+  void SortTerms();
   void AddConstants();
   void AddSensorConstants(int sensor);
   bool ShowsMounting(int sensor) const;
   template <int kSize>
   void AddConstant(UnknownKind kind, int sensor, const Eigen::Matrix<double, kSize, 1>& mean,
                    const Eigen::Matrix<double, kSize, 1>& sigma);
+  Preintegrated SumInterval(const State& state, int knot, int sensor) const;
   void AddGyroscope(int knot, int sensor);
   void AddAccelerometer(int knot, int sensor);
   void AddChain(int knot, int sensor);
@@ -181,6 +189,7 @@ class ArmProblem {
   template <typename Residual>
   void Add(Residual residual, ResidualKind kind, std::vector<int> unknowns, int sensor, int first,
            int last);
+  std::unique_ptr<TangentCost> MakeGyroscope(int knot, int sensor) const;
   std::unique_ptr<TangentCost> MakeAccelerometer(int knot, int sensor) const;
   std::unique_ptr<TangentCost> MakeChain(int knot, int sensor) const;
 

@@ -106,23 +106,37 @@ void ArmProblem::AddConstants() {
                  {elbow.carrying_angle_sigma, elbow.carrying_slope_sigma});
 }
 
-void ArmProblem::AddGyroscope(int knot, int sensor) {
+Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor) const {
+  const double start = timeline_.knots[U(knot)], end = timeline_.knots[U(knot) + 1];
+  const Eigen::Map<const Vector3d> bias(state.GyroBias(timeline_.NodeBefore(start), sensor));
+  return Samples(sensor).Sum(start, end, bias, *state.Constant(UnknownKind::kClockOffset, sensor));
+}
+
+std::unique_ptr<TangentCost> ArmProblem::MakeGyroscope(int knot, int sensor) const {
   const Preintegrated& interval = Interval(knot, sensor);
   const Recording& recording = observations_.recordings[U(sensor)];
   const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
-  const int node = timeline_.NodeBefore(middle);
   const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
                           2 * options_.unmodelled_correlation_s * Square(options_.gyro_cross_axis) *
                               interval.rate_squared +
                           std::min(interval.gyro_gap_variance, Square(kLostAttitude));
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
-  Add(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance)),
-      ResidualKind::kGyroscope,
-      {Attitude(knot, sensor), Attitude(knot + 1, sensor), GyroBias(node, sensor),
-       GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor),
-       Constant(UnknownKind::kClockOffset, sensor)},
-      sensor, knot, knot + 1);
+  return std::unique_ptr<TangentCost>(
+      MakeCost(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance))));
+}
+
+void ArmProblem::AddGyroscope(int knot, int sensor) {
+  const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
+  const int node = timeline_.NodeBefore(middle);
+  terms_.push_back({MakeGyroscope(knot, sensor),
+                    {Attitude(knot, sensor), Attitude(knot + 1, sensor), GyroBias(node, sensor),
+                     GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor),
+                     Constant(UnknownKind::kClockOffset, sensor)},
+                    ResidualKind::kGyroscope,
+                    sensor,
+                    knot,
+                    knot + 1});
 }
 
 double ArmProblem::UnmodelledDensity(int knot, int sensor, double sigma) const {
@@ -276,14 +290,16 @@ void ArmProblem::AddShoulder() {
 
 void ArmProblem::AddRests(int sensor) {
   const Recording& recording = observations_.recordings[U(sensor)];
+  const double behind = Interval(0, sensor).clock_offset;
   for (const RestInterval& rest : rests_[U(sensor)]) {
+    const double rest_start = rest.start + behind, rest_end = rest.end + behind;
     // What rocks faster rocks for a shorter time: the way it goes stays the same.
     const double sigma = options_.zero_velocity_sigma_m_s * rest.slack,
                  correlation = options_.zero_velocity_correlation_s / rest.slack;
-    const int first = timeline_.KnotBefore(rest.start), last = timeline_.KnotBefore(rest.end);
+    const int first = timeline_.KnotBefore(rest_start), last = timeline_.KnotBefore(rest_end);
     for (int knot = first; knot <= last; ++knot) {
-      if (timeline_.knots[U(knot)] < rest.start) continue;
-      if (knot == 0 || timeline_.knots[U(knot) - 1] < rest.start)
+      if (timeline_.knots[U(knot)] < rest_start) continue;
+      if (knot == 0 || timeline_.knots[U(knot) - 1] < rest_start)
         Add(InBodyAxes(ZeroVelocityStart(sigma, rest.probability)), ResidualKind::kZeroVelocity,
             {Attitude(knot, sensor), Velocity(knot, sensor)}, sensor, knot, knot);
       else
@@ -296,15 +312,15 @@ void ArmProblem::AddRests(int sensor) {
             knot - 1, knot);
     }
     if (rest.slack > 1.0) continue;  // a rocking sensor's mean rate is not its bias
-    for (int node = timeline_.NodeBefore(rest.start); node + 1 < size_.nodes; ++node) {
+    for (int node = timeline_.NodeBefore(rest_start); node + 1 < size_.nodes; ++node) {
       const double begin = timeline_.NodeTime(node), end = timeline_.NodeTime(node + 1);
-      if (begin >= rest.end) break;
-      const RestInterval part = PartOfRest(recording, rest, begin, end);
+      if (begin >= rest_end) break;
+      const RestInterval part = PartOfRest(recording, rest, begin - behind, end - behind);
       if (part.probability <= 0.0 || part.end <= part.start) continue;
       const double T = part.end - part.start;
       const double sway = std::max(part.sway, options_.rest_sway_deg * kDegree);
       const double variance = 0.5 * Square(recording.noise.gyro_density) / T + 2 * Square(sway / T);
-      const double middle = 0.5 * (part.start + part.end);
+      const double middle = 0.5 * (part.start + part.end) + behind;
       const int knot = timeline_.KnotBefore(middle);
       Add(GyroBiasRest(part.mean_rate, timeline_.NodeFraction(middle), std::sqrt(variance),
                        part.probability),
@@ -330,6 +346,29 @@ void ArmProblem::AddStart() {
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
     Add(InBodyAxes(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma))),
         ResidualKind::kPrior, {Attitude(0, sensor), Velocity(0, sensor)}, sensor, 0, 0);
+}
+
+void ArmProblem::SumAgain(const State& state) {
+  for (int knot = 0; knot < timeline_.Intervals(); ++knot)
+    for (int sensor = 0; sensor < size_.sensors; ++sensor)
+      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor);
+  for (Term& term : terms_) {
+    if (term.kind == ResidualKind::kGyroscope)
+      term.cost = MakeGyroscope(term.first_knot, term.sensor);
+    if (term.kind == ResidualKind::kAccelerometer)
+      term.cost = MakeAccelerometer(term.first_knot, term.sensor);
+  }
+  std::erase_if(terms_, [](const Term& term) {
+    return term.kind == ResidualKind::kZeroVelocity || term.kind == ResidualKind::kGyroBiasRest;
+  });
+  for (int sensor = 0; sensor < size_.sensors; ++sensor) AddRests(sensor);
+  SortTerms();
+}
+
+// In the order in which knots are eliminated.
+void ArmProblem::SortTerms() {
+  std::stable_sort(terms_.begin(), terms_.end(),
+                   [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
 }
 
 void ArmProblem::SetUnmodelled(const std::vector<Unmodelled>& unmodelled) {

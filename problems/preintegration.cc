@@ -97,6 +97,30 @@ Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPerio
   gyr_smooth_ = Smoothed(gyr_, reach);
   acc_smooth_ = Smoothed(acc_, reach);
   DoubtSaturated(recording);
+  HoldEnds();
+}
+
+// Puts a cell before the first and one after the last.
+void Preintegrator::HoldEnds() {
+  edges_.insert(edges_.begin(), edges_.front() - kHeld);
+  edges_.push_back(edges_.back() + kHeld);
+  centres_.insert(centres_.begin(), centres_.front() - kHeld);
+  centres_.push_back(centres_.back() + kHeld);
+  for (auto* values : {&gyr_, &acc_, &gyr_smooth_, &acc_smooth_}) {
+    values->insert(values->begin(), values->front());
+    values->push_back(values->back());
+  }
+  for (auto* slopes : {&gyr_slope_, &acc_slope_}) {
+    slopes->insert(slopes->begin(), Vector3d::Zero());
+    slopes->push_back(Vector3d::Zero());
+  }
+  const auto doubt = [](std::vector<double>& unknown, double curvature, double limit) {
+    const double density = std::pow(std::min(curvature * kHeld * kHeld, limit), 2) * kHeld;
+    unknown.insert(unknown.begin(), density);
+    unknown.push_back(density);
+  };
+  doubt(gyro_unknown_, kRateCurvature, kRateLimit);
+  doubt(accel_unknown_, kForceCurvature, kForceLimit);
 }
 
 // The hidden excess is one number for a whole run: its variance grows with the run's length squared.
@@ -137,9 +161,12 @@ Vector3d Preintegrator::At(const std::vector<Vector3d>& values, double time) con
   return values[before] + fraction * (values[after] - values[before]);
 }
 
-Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias) const {
+Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias,
+                           double clock_offset) const {
   Turned turned;
   turned.duration = end - start;
+  start -= clock_offset;
+  end -= clock_offset;
   for (std::size_t i = CellAt(start); i < gyr_.size() && edges_[i] < end; ++i) {
     const Cell cell = Clip(i, start, end);
     if (cell.h <= 0.0) continue;
@@ -151,10 +178,14 @@ Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias) 
   return turned;
 }
 
-Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_bias) const {
+Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_bias,
+                                 double clock_offset) const {
   Preintegrated sum;
   sum.duration = end - start;
   sum.gyro_bias = gyro_bias;
+  sum.clock_offset = clock_offset;
+  start -= clock_offset;
+  end -= clock_offset;
   for (std::size_t i = CellAt(start); i < gyr_.size() && edges_[i] < end; ++i) {
     const auto [h, gyr, f, w_slope, f_slope] = Clip(i, start, end);
     if (h <= 0.0) continue;

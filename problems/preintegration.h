@@ -22,6 +22,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "problems/imu.h"
@@ -34,6 +35,7 @@ struct Preintegrated {
   Eigen::Vector3d dv = Eigen::Vector3d::Zero();            // [m/s]
   Eigen::Vector3d dp = Eigen::Vector3d::Zero();            // [m]
   Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();     // taken off while summing [rad/s]
+  double clock_offset = 0.0;  // that the clock was taken to be behind while summing [s]
 
   // First-order changes with biases and scale errors: dR -> dR Exp(dR_dbg δ), dv -> dv + dv_dbg δ,
   // and so on; w = gyr - b_g - s_g∘gyr, f = acc - b_a - s_a∘acc.
@@ -43,7 +45,7 @@ struct Preintegrated {
   Eigen::Matrix3d dv_dba = Eigen::Matrix3d::Zero(), dp_dba = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d dv_dsa = Eigen::Matrix3d::Zero(), dp_dsa = Eigen::Matrix3d::Zero();
 
-  // First-order changes with the clock's offset c.
+  // First-order changes with what the clock is further behind, c.
   Eigen::Vector3d dR_dc = Eigen::Vector3d::Zero();
   Eigen::Vector3d dv_dc = Eigen::Vector3d::Zero(), dp_dc = Eigen::Vector3d::Zero();
 
@@ -69,18 +71,23 @@ class Preintegrator {
   explicit Preintegrator(const Recording& recording);
 
   // First and last instant that the cells cover [s].
-  double Begin() const { return edges_.front(); }
-  double End() const { return edges_.back(); }
+  double Begin() const { return edges().front(); }
+  double End() const { return edges().back(); }
 
   // Where one cell ends and the next begins, first and last edge included [s].
-  const std::vector<double>& edges() const { return edges_; }
+  std::span<const double> edges() const { return {&edges_[1], edges_.size() - 2}; }
   double Period() const { return period_; }
 
-  // Over [start, end], with this gyro bias taken off. Begin() <= start < end <= End().
-  Preintegrated Sum(double start, double end, const Eigen::Vector3d& gyro_bias) const;
+  // Over [start, end], with this gyro bias taken off, by a clock that is behind by `clock_offset`.
+  // Begin() <= start < end <= End(); samples that the offset asks for beyond these are taken to be as
+  // the nearest, with a variance, as far as kHeld.
+  Preintegrated Sum(double start, double end, const Eigen::Vector3d& gyro_bias,
+                    double clock_offset = 0.0) const;
+  static constexpr double kHeld = 0.2;  // [s]
 
   // The same of the attitude only, several times as fast.
-  Turned Turn(double start, double end, const Eigen::Vector3d& gyro_bias) const;
+  Turned Turn(double start, double end, const Eigen::Vector3d& gyro_bias,
+              double clock_offset = 0.0) const;
 
  private:
   struct Cell;
@@ -89,9 +96,10 @@ class Preintegrator {
   // Straight between the cells' centres. `time` within the cells.
   Eigen::Vector3d At(const std::vector<Eigen::Vector3d>& values, double time) const;
   void DoubtSaturated(const Recording& recording);
+  void HoldEnds();
 
   double period_;
-  std::vector<double> edges_;  // cell i lies between edges i and i+1
+  std::vector<double> edges_;  // cell i lies between edges i and i+1; the first and the last hold
   std::vector<double> centres_;
   // What is not known of a cell, as densities: where there is no sample and the mean of the
   // neighbours stands in, and where the sensor was out of its range.

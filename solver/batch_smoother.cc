@@ -48,6 +48,24 @@ bool OnSkin(const ArmProblem& problem) {
                      [](const Unmodelled& left) { return left.acceleration > kOnSkin; });
 }
 
+// The linear effect of a clock is good for this much of it [s].
+constexpr double kClockReach = 0.005;
+constexpr int kMostSums = 4;
+
+// Sums the samples again where a clock was found further than that from where it was taken to be;
+// says whether it did.
+bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
+  double moved = 0.0;
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
+    moved = std::max(moved, std::abs(*state.Constant(UnknownKind::kClockOffset, sensor) -
+                                     problem.Interval(0, sensor).clock_offset));
+  if (moved <= kClockReach) return false;
+  problem.SumAgain(state);
+  workspace.plan = FrontPlan(problem);
+  workspace.Linearise(problem, state);
+  return true;
+}
+
 // Rms of the whitened residuals over their degrees of freedom: 1 where the model is right.
 double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
   double count = 0.0, squares = 0.0;
@@ -56,13 +74,6 @@ double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
     squares += static_cast<double>(kind.count) * kind.rms * kind.rms;
   }
   return std::sqrt(squares / (count - unknowns));
-}
-
-// Which recording is of that segment, which there is.
-int SensorOn(const Observations& observations, Segment segment) {
-  int sensor = 0;
-  while (observations.recordings[static_cast<std::size_t>(sensor)].segment != segment) ++sensor;
-  return sensor;
 }
 
 }  // namespace
@@ -94,43 +105,53 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
 
   const Observations prepared = Prepared(observations, options_);
   ArmProblem problem(prepared, options_.model, options_.knot_spacing_s,
-                     SensorOn(prepared, observations.recordings.front().segment));
+                     observations.recordings.front().segment);
   stage("preintegration");
 
   const SolverKind solver = SolverNamed(options_.solver).value();
   State state = problem.PriorState();
   const bool judges_skin = options_.whole_trial && options_.weight_iterations > 0;
   if (!judges_skin) problem.HoldMountings(state);
-  const WindowReport windows = SolveForward(problem, state,
-                                            {.length = options_.window_s,
-                                             .advance = options_.window_advance_s,
-                                             .only_a_start = options_.whole_trial,
-                                             .solver = solver},
-                                            progress);
+  // The first weights with lever arms and scales as told: free ones would absorb what the model
+  // leaves out, and the weights would confirm them.
+  UnmodelledSums left_by_windows(problem);
+  const WindowReport windows =
+      SolveForward(problem, state,
+                   {.length = options_.window_s,
+                    .advance = options_.whole_trial ? options_.window_s : options_.window_advance_s,
+                    .only_a_start = options_.whole_trial,
+                    .solver = solver,
+                    .unmodelled = judges_skin ? &left_by_windows : nullptr},
+                   progress);
+  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate(problem));
   stage("windows");
 
-  // The weights first, with lever arms and scales as told: free ones would absorb what the model
-  // leaves out, and the weights would confirm them.
   ChainWorkspace workspace(problem);
-  for (int i = 0; i < options_.weight_iterations && options_.whole_trial; ++i) {
+  int sums = kMostSums;
+  bool followed = false;
+  for (int i = 1; i < options_.weight_iterations && options_.whole_trial; i += followed ? 0 : 1) {
     if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
     SolveWholeTrial(problem, state,
                     {.solver = solver,
                      .most_iterations = 4,
                      .least_decrease = 0.01,
-                     .threads = options_.threads,
-                     .hold_geometry = i + 1 < options_.weight_iterations},
+                     .threads = options_.threads},
                     workspace, diagnostics);
-    problem.SetUnmodelled(EstimateUnmodelled(problem, state, workspace));
+    followed = sums-- > 0 && FollowsClocks(problem, state, workspace);
+    UnmodelledSums left(problem);
+    left.Add(problem, state, 0, problem.size().knots, workspace);
+    problem.SetUnmodelled(left.Estimate(problem));
   }
   const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
   if (on_skin) problem.HoldMountings(state);
   if (progress) progress("whole trial", 0.9);
-  if (options_.whole_trial)
+  for (int i = 0; i < kMostSums && options_.whole_trial; ++i) {
     SolveWholeTrial(
         problem, state,
         {.solver = solver, .most_iterations = 200, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
+    if (!FollowsClocks(problem, state, workspace)) break;
+  }
   stage("whole trial");
 
   FillTrajectory(problem, state, estimate);
@@ -138,13 +159,16 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
 
   Certainty certainty;
   if (options_.covariance) {
+    // The last step was small, but what hardly anything holds is held less where it led to.
+    workspace.Linearise(problem, state);
     PoseCovariance poses(problem, state);
-    certainty = AssessCertainty(problem, state, &workspace, &poses);
+    certainty = AssessCertainty(problem, state, workspace, &poses);
     FillStandardDeviations(problem, poses, estimate);
     diagnostics.headings = DescribeHeadings(problem, state, poses);
     stage("covariance");
   } else {
-    certainty.singular = FindSingular(problem, state, workspace);
+    if (!options_.whole_trial) workspace.Linearise(problem, state);
+    certainty.singular = workspace.sweep.Undetermined(workspace.plan);
   }
   diagnostics.singular = !certainty.singular.empty();
   diagnostics.residuals = DescribeResiduals(problem, state);

@@ -10,7 +10,7 @@
 namespace brachium {
 
 struct SmootherOptions {
-  double knot_spacing_s = 0.05;
+  double knot_spacing_s = 0.1;
   bool whole_trial = true;
   double window_s = 5.0;
   double window_advance_s = 2.5;
@@ -35,7 +35,8 @@ struct SmootherOptions {
           "Solve the whole trial at once after the windows. Off: windows only.");
     visit("window_s", options.window_s, "Length of a forward window [s].");
     visit("window_advance_s", options.window_advance_s,
-          "From the start of one window to the start of the next [s].");
+          "From the start of one window to the start of the next [s]; where the whole trial is "
+          "solved, windows do not overlap.");
     visit("weight_iterations", options.weight_iterations,
           "How often the accelerometers' weights are estimated from the residuals and the trial "
           "solved again. 0 keeps the first guess.");

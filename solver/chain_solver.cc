@@ -42,7 +42,9 @@ class Descent {
     while (summary_.iterations < options_.most_iterations) {
       if (damping_ > kMostDamping) return Ended(false, "No step lowers the cost.");
       const double foretold = sweep_.Step(plan_, step_);
-      if (damping_ <= kNoDamping && IsLast(foretold)) {
+      if (damping_ <= kNoDamping && foretold <= options_.least_decrease * here_.cost)
+        return Ended(true, "The cost hardly falls any more.");
+      if (damping_ <= kNoDamping && IsSmall()) {
         values_.Set(step_, 1.0);
         here_.cost -= foretold;
         return Ended(true, "The step is small against the standard deviations.");
@@ -50,19 +52,17 @@ class Descent {
       ++summary_.iterations;
       if (TryMixed(foretold) || Try(foretold)) continue;
       values_.Restore();
-      if (foretold < kRounding * here_.cost)
+      if (foretold < kRounding * here_.cost) {
+        sweep_.Run(plan_, kLeastDamping);
         return Ended(true, "The cost does not fall any further in double precision.");
+      }
       Refuse();
     }
     return Ended(false, "The most iterations were made.");
   }
 
  private:
-  // Whether nothing worth another pass is left after a step.
-  bool IsLast(double foretold) const {
-    return here_.length_2 <= options_.step_in_sd * options_.step_in_sd ||
-           foretold <= options_.least_decrease * here_.cost;
-  }
+  bool IsSmall() const { return here_.length_2 <= options_.step_in_sd * options_.step_in_sd; }
 
   // Takes the step that the last ones call for, if there is one and it is good.
   bool TryMixed(double foretold) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "solver/elimination.h"
 
@@ -31,13 +30,9 @@ double RelativeHeadingSd(const ArmProblem& problem, const State& state, int sens
 
 }  // namespace
 
-Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspace* workspace,
-                          PoseCovariance* poses) {
-  std::optional<ChainWorkspace> own;
-  if (workspace == nullptr) workspace = &own.emplace(problem);
-  const int past_end = problem.size().knots;
-  const Elimination elimination(problem, state, {}, 0, past_end, *workspace);
-
+Certainty AssessCertainty(const ArmProblem& problem, const State& state,
+                          const ChainWorkspace& workspace, PoseCovariance* poses) {
+  const Elimination elimination(workspace);
   Certainty certainty;
   certainty.singular = elimination.singular();
   certainty.root_sd.assign(U(problem.size().knots), 0.0);
@@ -58,10 +53,6 @@ Certainty AssessCertainty(const ArmProblem& problem, State& state, ChainWorkspac
               RelativeHeadingSd(problem, state, sensor, index, covariance);
       });
   return certainty;
-}
-
-std::vector<int> FindSingular(const ArmProblem& problem, State& state, ChainWorkspace& workspace) {
-  return Elimination(problem, state, {}, 0, problem.size().knots, workspace).singular();
 }
 
 }  // namespace brachium

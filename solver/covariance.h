@@ -19,12 +19,9 @@ struct Certainty {
   std::vector<int> singular;  // unknowns that the information does not determine
 };
 
-// Linearises the trial at `state`. Cost and memory are linear in its length; `workspace` as in Solve().
-// `poses`, unless null, is filled with what it collects.
-Certainty AssessCertainty(const ArmProblem& problem, State& state,
-                          ChainWorkspace* workspace = nullptr, PoseCovariance* poses = nullptr);
-
-// Only what AssessCertainty() calls singular, at a fraction of the cost.
-std::vector<int> FindSingular(const ArmProblem& problem, State& state, ChainWorkspace& workspace);
+// By the last pass of `workspace`, which was over the whole trial at `state`. Cost and
+// memory are linear in its length. `poses`, unless null, is filled with what it collects.
+Certainty AssessCertainty(const ArmProblem& problem, const State& state,
+                          const ChainWorkspace& workspace, PoseCovariance* poses = nullptr);
 
 }  // namespace brachium

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace brachium {
 namespace {
@@ -96,13 +98,11 @@ std::string UninformedAxes(const Eigen::VectorXd& sd, const std::vector<double>&
 }  // namespace
 
 std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, State& state) {
-  std::vector<std::pair<std::string, std::pair<std::size_t, double>>> sums;
-  const auto entry = [&](const std::string& name) -> auto& {
-    for (auto& sum : sums)
-      if (sum.first == name) return sum.second;
-    sums.push_back({name, {0, 0.0}});
-    return sums.back().second;
+  struct Sum {
+    std::size_t count = 0;
+    double squares = 0.0;
   };
+  std::map<std::pair<ResidualKind, int>, Sum> sums;  // by kind and sensor
   std::vector<const double*> values;
   std::vector<double> r;
   for (const Term& term : problem.terms()) {
@@ -110,15 +110,17 @@ std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, Sta
     for (const int unknown : term.unknowns) values.push_back(problem.Value(state, unknown));
     r.resize(U(term.cost->num_residuals()));
     term.cost->Evaluate(values.data(), r.data(), nullptr);
-    std::string name(Name(term.kind));
-    if (term.sensor >= 0) name.append("/").append(SegmentName(problem, term.sensor));
-    auto& [count, squares] = entry(name);
-    count += r.size();
-    for (const double value : r) squares += value * value;
+    Sum& sum = sums[{term.kind, term.sensor}];
+    sum.count += r.size();
+    for (const double value : r) sum.squares += value * value;
   }
   std::vector<ResidualStatistics> statistics;
-  for (const auto& [name, sum] : sums)
-    statistics.push_back({name, sum.first, std::sqrt(sum.second / static_cast<double>(sum.first))});
+  for (const auto& [of, sum] : sums) {
+    std::string name(Name(of.first));
+    if (of.second >= 0) name.append("/").append(SegmentName(problem, of.second));
+    statistics.push_back(
+        {name, sum.count, std::sqrt(sum.squares / static_cast<double>(sum.count))});
+  }
   return statistics;
 }
 

@@ -45,13 +45,11 @@ int BlockIndex::OffsetOf(int unknown) const {
 Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedPrior& prior,
                          int start_knot, int end_knot, ChainWorkspace& workspace)
     : plan_(workspace.plan), sweep_(workspace.sweep) {
-  workspace.plan.Build(problem, state, prior,
-                       {.start_knot = start_knot,
-                        .end_knot = end_knot,
-                        .last_knot = problem.size().knots,
-                        .hand_on = true});
-  workspace.sweep.Prepare(plan_);
-  workspace.sweep.Run(plan_, 0.0, &singular_);
+  workspace.Linearise(problem, state, prior,
+                      {.start_knot = start_knot,
+                       .end_knot = end_knot,
+                       .last_knot = problem.size().knots,
+                       .hand_on = true});
 }
 
 CarriedPrior Elimination::Carry() const {

@@ -36,11 +36,16 @@ class Elimination {
   Elimination(const ArmProblem& problem, State& state, const CarriedPrior& prior, int start_knot,
               int end_knot, ChainWorkspace& workspace);
 
+  // What the last pass over a workspace's plan left, whose end is past the last knot. Holds until
+  // `workspace` is used again.
+  explicit Elimination(const ChainWorkspace& workspace)
+      : plan_(workspace.plan), sweep_(workspace.sweep) {}
+
   // What was said about the unknowns that stay, as a residual with its point as it was linearised.
   CarriedPrior Carry() const;
 
   // A pivot block was not positive definite: the information does not determine its unknowns.
-  const std::vector<int>& singular() const { return singular_; }
+  std::vector<int> singular() const { return sweep_.Undetermined(plan_); }
 
   // Visits the fronts from last to first with the joint covariance of their unknowns. Requires an
   // end past the last knot.
@@ -51,7 +56,6 @@ class Elimination {
  private:
   const FrontPlan& plan_;
   const FrontSweep& sweep_;
-  std::vector<int> singular_;
 };
 
 }  // namespace brachium

@@ -52,7 +52,8 @@ void FrontPlan::Build(const ArmProblem& problem, State& state, const CarriedPrio
   auto term = std::lower_bound(terms.begin(), terms.end(), range.start_knot,
                                [](const Term& other, int knot) { return other.first_knot < knot; });
   for (; term != terms.end() && term->first_knot < range.end_knot; ++term)
-    if (term->last_knot <= range.last_knot)
+    if (term->last_knot <= range.last_knot &&
+        !(range.leave_stops && term->kind == ResidualKind::kRangeOfMotion))
       AddTerm(problem, state, *term->cost, term->loss.get(), term->unknowns, term->first_knot,
               range.hold_geometry);
   // Where a joint is, is asked at every knot, whatever spoke of its place last.

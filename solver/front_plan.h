@@ -31,6 +31,7 @@ struct TermRange {
   int last_knot = 0;           // and that do not reach beyond this one
   bool hand_on = false;        // keep what terms from end_knot on touch; else all are eliminated
   bool hold_geometry = false;  // scales, geometry and clocks are numbers, not unknowns
+  bool leave_stops = false;    // take no stops of joints
 };
 
 // Scales, mountings, lever arms, joint vectors and clocks: what `hold_geometry` holds.

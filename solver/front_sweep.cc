@@ -27,7 +27,7 @@ bool FrontSweep::Sums::IsFinite() const {
 
 void FrontSweep::Prepare(const FrontPlan& plan) {
   const std::size_t columns = U(plan.columns()), widest = U(plan.widest_stride());
-  factors_.resize(plan.storage());
+  factors_.Reserve(plan.storage());
   diagonal_.resize(columns);
   gradient_.resize(columns);
   front_.resize(widest * widest);
@@ -38,8 +38,9 @@ void FrontSweep::Prepare(const FrontPlan& plan) {
   term_.Reserve(plan.most_residuals(), plan.most_blocks(), plan.widest_term());
 }
 
-FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping, std::vector<int>* weak) {
+FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping) {
   damping_ = damping;
+  lost_.clear();
   std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
   std::fill(gradient_.begin(), gradient_.end(), 0.0);
   Sums sums;
@@ -48,12 +49,7 @@ FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping, std::vec
   for (const FrontPlan::Front& front : plan.fronts()) {
     TakeOver(plan, front, stride_before);
     for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) cost += AddTerm(plan, front, term);
-    const int raised = Eliminate(front);
-    sums.weak_pivots += raised;
-    if (raised > 0 && weak != nullptr)
-      for (const FrontPlan::Member& member : plan.Members(front))
-        if (member.column < front.eliminated)
-          weak->push_back(plan.variables()[U(member.variable)].unknown);
+    if (Eliminate(front)) lost_.push_back(static_cast<int>(&front - plan.fronts().data()));
     const double* y = Factor(front) + front.columns;
     for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
     stride_before = front.Stride();
@@ -90,11 +86,14 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
   const auto blocks = plan.Blocks(term);
   const int columns = term.columns, stride = front.Stride();
   const double cost = term_.Linearise(*term.cost, term.loss, blocks, columns);
-  const int* place = term_.PlacesInFront();
+  const int *place = term_.PlacesInFront(), *run_end = term_.RunEnds();
   for (int column = 0; column < columns; ++column) {
     const double* from = term_.Column(column);
     double* to = &front_[U(place[column] * stride)];
-    for (int row = column; row < columns; ++row) to[place[row]] += from[row];
+    for (int row = column; row < columns;) {
+      double* to_row = to + (place[row] - row);
+      for (const int end = run_end[row]; row < end; ++row) to_row[row] += from[row];
+    }
     to[front.columns] += from[columns];
   }
   for (const TermBlock& block : blocks) {
@@ -109,7 +108,7 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
   return cost;
 }
 
-int FrontSweep::Eliminate(const FrontPlan::Front& front) {
+bool FrontSweep::Eliminate(const FrontPlan::Front& front) {
   const int stride = front.Stride();
   const double lost = damping_ > 0.0 ? kShareOfDamping * damping_ : kSingular;
   for (int k = 0; k < front.eliminated; ++k) {
@@ -119,8 +118,22 @@ int FrontSweep::Eliminate(const FrontPlan::Front& front) {
   }
   const int raised =
       FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());
+  bool is_lost = raised > 0;
+  for (int k = 0; k < front.eliminated; ++k) {
+    const double root = front_[U(k * stride + k)];
+    is_lost = is_lost || root * root < kSingular * diagonal_[U(front.first_column + k)];
+  }
   std::copy_n(front_.data(), front.eliminated * stride, factors_.data() + front.storage);
-  return raised;
+  return is_lost;
+}
+
+std::vector<int> FrontSweep::Undetermined(const FrontPlan& plan) const {
+  std::vector<int> unknowns;
+  for (const int front : lost_)
+    for (const FrontPlan::Member& member : plan.Members(plan.fronts()[U(front)]))
+      if (member.column < plan.fronts()[U(front)].eliminated)
+        unknowns.push_back(plan.variables()[U(member.variable)].unknown);
+  return unknowns;
 }
 
 double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
@@ -141,15 +154,17 @@ double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
   return decrease;
 }
 
-void FrontSweep::Draw(const FrontPlan& plan, const std::vector<double>& signs,
-                      std::vector<double>& deviation) {
-  deviation.resize(U(plan.columns()));
-  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
-    GatherKept(plan, *front, deviation);
-    BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
-                   &signs[U(front->first_column)], d_.data());
-    std::copy_n(d_.data(), front->eliminated, &deviation[U(front->first_column)]);
-  }
+void FrontSweep::Draw(const FrontPlan& plan, const std::vector<std::vector<double>>& signs,
+                      std::vector<std::vector<double>>& deviations) {
+  deviations.resize(signs.size());
+  for (std::vector<double>& deviation : deviations) deviation.resize(U(plan.columns()));
+  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front)
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+      GatherKept(plan, *front, deviations[i]);
+      BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
+                     &signs[i][U(front->first_column)], d_.data());
+      std::copy_n(d_.data(), front->eliminated, &deviations[i][U(front->first_column)]);
+    }
 }
 
 // What a front does not eliminate, into d_.
@@ -178,6 +193,18 @@ Eigen::VectorXd FrontSweep::KeptGradient(const FrontPlan& plan) const {
   for (int k = 0; k < g.size(); ++k)
     g[k] = before_[U((last.eliminated + k) * last.Stride() + last.columns)];
   return g;
+}
+
+void ChainWorkspace::Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                               const TermRange& range) {
+  plan.Build(problem, state, prior, range);
+  sweep.Prepare(plan);
+  sweep.Run(plan, 0.0);
+}
+
+void ChainWorkspace::Linearise(const ArmProblem& problem, State& state) {
+  const int knots = problem.size().knots;
+  Linearise(problem, state, {}, {.end_knot = knots, .last_knot = knots, .leave_stops = true});
 }
 
 }  // namespace brachium

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/front_plan.h"
+#include "solver/large_buffer.h"
 
 namespace brachium {
 
@@ -20,16 +21,18 @@ class FrontSweep {
     double cost = 0.0;           // Σ ½ ρ(|r|²)
     double gradient_norm = 0.0;  // largest |∂cost/∂column|
     double length_2 = 0.0;       // Σ |y|²: squared length of the step in the metric of H
-    int weak_pivots = 0;         // that lost all digits and were raised
     bool IsFinite() const;
   };
 
   // Sets memory up for a plan; it is kept from one plan to the next.
   void Prepare(const FrontPlan& plan);
 
-  // Linearises and eliminates, with `damping` times the diagonal of JᵀJ added to it. Unknowns of
-  // fronts with a pivot that lost all digits are added to `weak`, unless it is null.
-  Sums Run(const FrontPlan& plan, double damping, std::vector<int>* weak = nullptr);
+  // Linearises and eliminates, with `damping` times the diagonal of JᵀJ added to it.
+  Sums Run(const FrontPlan& plan, double damping);
+
+  // Unknowns that the last pass eliminated in fronts with a pivot that lost all digits: they are not
+  // determined.
+  std::vector<int> Undetermined(const FrontPlan& plan) const;
 
   // The step of all columns that the last pass calls for, and by how much the linearised cost falls
   // with it. Requires a plan that hands nothing on.
@@ -38,37 +41,50 @@ class FrontSweep {
   // Of the cost at the last pass, all columns.
   const std::vector<double>& gradient() const { return gradient_; }
 
-  // A deviation of all columns with the covariance of the last pass, from `signs`: as many random
-  // numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
-  void Draw(const FrontPlan& plan, const std::vector<double>& signs,
-            std::vector<double>& deviation);
+  // Deviations of all columns with the covariance of the last pass, each from its `signs`: as many
+  // random numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
+  void Draw(const FrontPlan& plan, const std::vector<std::vector<double>>& signs,
+            std::vector<std::vector<double>>& deviations);
 
   // What the last front hands on: the information about its members that stay, and its gradient.
   Eigen::MatrixXd KeptInformation(const FrontPlan& plan) const;
   Eigen::VectorXd KeptGradient(const FrontPlan& plan) const;
 
   // The eliminated columns of a front, as FactorFront left them.
-  const double* Factor(const FrontPlan::Front& front) const { return &factors_[front.storage]; }
+  const double* Factor(const FrontPlan::Front& front) const {
+    return factors_.data() + front.storage;
+  }
 
  private:
   void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
   double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                  const FrontPlan::PlannedTerm& term);
-  int Eliminate(const FrontPlan::Front& front);
+  // Says whether a pivot lost all digits.
+  bool Eliminate(const FrontPlan::Front& front);
   void GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
                   const std::vector<double>& columns);
 
   double damping_ = 0.0;
-  std::vector<double> factors_;
+  LargeBuffer factors_;
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> front_, before_;       // matrices of this front and of the last
   std::vector<double> least_, y_, d_;
+  std::vector<int> lost_;  // fronts of the last pass with a pivot that lost all digits
   TermSquare term_;
 };
 
 // Memory that successive plans and passes over one problem share.
 struct ChainWorkspace {
   explicit ChainWorkspace(const ArmProblem& problem) : plan(problem) {}
+
+  // A pass over a range as it stands in `state`.
+  void Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                 const TermRange& range);
+
+  // Over the whole trial, for what is certain in it. Stops of joints are left out: they hold from one
+  // side only.
+  void Linearise(const ArmProblem& problem, State& state);
+
   FrontPlan plan;
   FrontSweep sweep;
 };

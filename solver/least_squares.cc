@@ -18,8 +18,11 @@ SolveSummary Solve(const ArmProblem& problem, State& state, const CarriedPrior& 
                         .end_knot = last_knot + 1,
                         .last_knot = last_knot,
                         .hold_geometry = options.hold_geometry};
-  if (options.solver == SolverKind::kCeres)
-    return SolveByCeres(problem, state, prior, range, options);
+  if (options.solver == SolverKind::kCeres) {
+    const SolveSummary summary = SolveByCeres(problem, state, prior, range, options);
+    if (workspace != nullptr) workspace->Linearise(problem, state, prior, range);
+    return summary;
+  }
   std::optional<ChainWorkspace> own;
   if (workspace == nullptr) workspace = &own.emplace(problem);
   return SolveChain(problem, state, prior, range, options, *workspace);

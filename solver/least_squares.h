@@ -22,7 +22,8 @@ struct SolveOptions {
   // The search ends with a step that moves no linear combination of the unknowns by more than this
   // share of its standard deviation. Smaller: closer to the minimum, more iterations.
   double step_in_sd = 1e-4;
-  // Or with a step that, were the objective quadratic, lowers the cost by less than this share.
+  // Or before a step that, were the objective quadratic, lowers the cost by less than this share: the
+  // values that stand are then those at which the last pass was made.
   double least_decrease = 0.0;
   int threads = 1;             // of Ceres; the chain takes one
   bool hold_geometry = false;  // keep scales, lever arms and joint vectors as they are
@@ -38,7 +39,7 @@ struct SolveSummary {
 
 // Minimises `prior` and the terms with start_knot <= first knot and last knot <= last_knot over the
 // unknowns that they touch, in place. `workspace`, made for this problem, saves memory from being
-// asked for again and again.
+// asked for again and again, and holds the last pass afterwards.
 SolveSummary Solve(const ArmProblem& problem, State& state, const CarriedPrior& prior,
                    int start_knot, int last_knot, const SolveOptions& options,
                    ChainWorkspace* workspace = nullptr);

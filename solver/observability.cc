@@ -112,6 +112,7 @@ void AddInformation(const ArmProblem& problem, const State& state, int sensor, c
         minus = Turned(problem, state, sensor, -kTurn);
   std::map<std::string, std::vector<double>> information;
   for (const Term& term : problem.terms()) {
+    if (term.kind == ResidualKind::kRangeOfMotion) continue;  // a stop holds from one side only
     const std::vector<double> ahead = Residuals(problem, plus, term),
                               behind = Residuals(problem, minus, term);
     double sum = 0.0;

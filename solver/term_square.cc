@@ -39,6 +39,7 @@ void TermSquare::Reserve(int residuals, int blocks, int columns) {
   rows_.resize(U(residuals * stride));
   square_.resize(U(stride * stride));
   place_in_front_.resize(U(columns));
+  run_end_.resize(U(columns));
 }
 
 double TermSquare::Linearise(const TangentCost& cost, const ceres::LossFunction* loss,
@@ -67,6 +68,11 @@ double TermSquare::Linearise(const TangentCost& cost, const ceres::LossFunction*
     if (block.place < 0) continue;
     CopyBlock(jacobians_[i], block.tangent, residuals, stride, &rows_[U(block.place)]);
     for (int k = 0; k < block.tangent; ++k) place_in_front[block.place + k] = block.column + k;
+  }
+  for (int column = columns - 1; column >= 0; --column) {
+    const bool ends =
+        column + 1 == columns || place_in_front[column + 1] != place_in_front[column] + 1;
+    run_end_[U(column)] = ends ? column + 1 : run_end_[U(column + 1)];
   }
   if (loss != nullptr) {
     double rho[3];

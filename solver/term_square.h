@@ -37,13 +37,16 @@ class TermSquare {
   // The column of the front of every column of J.
   const int* PlacesInFront() const { return place_in_front_.data(); }
 
+  // Of every column of J, the end of the columns from it on that are neighbours in the front too.
+  const int* RunEnds() const { return run_end_.data(); }
+
  private:
   int stride_ = 0;
   std::vector<const double*> values_;
   std::vector<double*> jacobians_;
   std::vector<double> residual_, blocks_;  // as the cost writes them
   std::vector<double> rows_, square_;      // side by side, and squared
-  std::vector<int> place_in_front_;
+  std::vector<int> place_in_front_, run_end_;
 };
 
 }  // namespace brachium

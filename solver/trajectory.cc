@@ -35,19 +35,15 @@ class AttitudeBetweenKnots {
     q_SC_ = q_CS.conjugate();
     q_WS_ = Attitude(state.Attitude(knot, sensor)) * q_CS;
     clock_offset_ = *state.Constant(UnknownKind::kClockOffset, sensor);
-    const Preintegrated& interval = problem.Interval(knot, sensor);
-    const Vector3d correction =
-        interval.dR_dbg * (bias_ - interval.gyro_bias) + interval.dR_dc * clock_offset_;
-    const Quaterniond q_end = q_WS_ * interval.dq * Exp<double>(correction);
+    const Quaterniond q_end =
+        q_WS_ * problem.Samples(sensor).Turn(start_, end_, bias_, clock_offset_).dq;
     closing_ = Log<double>(q_end.conjugate() * (Attitude(state.Attitude(knot + 1, sensor)) * q_CS));
   }
 
   // Times must not decrease from call to call.
   Quaterniond At(double time) {
-    const Preintegrator& samples = problem_.Samples(sensor_);
-    const double from = std::clamp(time_ - clock_offset_, samples.Begin(), samples.End());
-    const double to = std::clamp(time - clock_offset_, samples.Begin(), samples.End());
-    if (to > from) q_WS_ = q_WS_ * samples.Sum(from, to, bias_).dq;
+    if (time > time_)
+      q_WS_ = q_WS_ * problem_.Samples(sensor_).Turn(time_, time, bias_, clock_offset_).dq;
     time_ = std::max(time, time_);
     const double fraction = (time_ - start_) / (end_ - start_);
     const Quaterniond q_SB = q_SC_ * Exp<double>(-turn_ - fraction * turning_);

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <random>
+#include <utility>
 
 namespace brachium {
 namespace {
@@ -19,43 +18,32 @@ constexpr double kLeastAcceleration = 1e-3;  // [m/s²]
 constexpr double kLeastQuiver = 1e-4;        // [m]
 
 // Draws and knots together give the trace to one or two percent.
-constexpr int kDrawnKnots = 30000;
+constexpr int kDrawnKnots = 15000;
+
+using Vectors = std::vector<std::vector<double>>;
 
 // Deviations of all columns of a plan with the covariance of its last pass.
-std::vector<std::vector<double>> Draw(ChainWorkspace& workspace) {
-  const int draws = kDrawnKnots / std::max(1, static_cast<int>(workspace.plan.fronts().size())) + 1;
-  std::mt19937_64 random(1);
-  std::vector<double> signs(U(workspace.plan.columns()));
-  std::vector<std::vector<double>> deviations(U(draws));
-  for (std::vector<double>& deviation : deviations) {
-    for (double& sign : signs) sign = random() & 1 ? 1.0 : -1.0;
-    workspace.sweep.Draw(workspace.plan, signs, deviation);
-  }
+Vectors Draw(int draws, std::mt19937_64& random, ChainWorkspace& workspace) {
+  Vectors signs(U(draws), std::vector<double>(U(workspace.plan.columns()))), deviations;
+  for (std::vector<double>& row : signs)
+    for (double& sign : row) sign = random() & 1 ? 1.0 : -1.0;
+  workspace.sweep.Draw(workspace.plan, signs, deviations);
   return deviations;
 }
-
-// Weighted residuals of one kind: their squares, and how many of them the unknowns do not take up.
-struct Spread {
-  double squares = 0.0, redundancy = 0.0;
-
-  // Estimated over assumed variance.
-  double Ratio() const { return (squares + kPriorResiduals) / (redundancy + kPriorResiduals); }
-};
 
 // Takes terms one by one: r, J, and how far r moves with deviations of the unknowns.
 class Residuals {
  public:
-  Residuals(const ArmProblem& problem, State& state, ChainWorkspace& workspace)
-      : problem_(problem), state_(state), plan_(workspace.plan), deviations_(Draw(workspace)) {}
+  Residuals(const ArmProblem& problem, State& state, const FrontPlan& plan, Vectors deviations)
+      : problem_(problem), state_(state), plan_(plan), deviations_(std::move(deviations)) {}
 
-  void Add(const Term& term, Spread& spread) {
+  void Add(const Term& term, double& squares, double& redundancy) {
     Linearise(term);
-    spread.squares += r_.squaredNorm();
+    squares += r_.squaredNorm();
     double moved = 0.0;
     for (const std::vector<double>& deviation : deviations_)
       moved += Moved(term, deviation).squaredNorm();
-    spread.redundancy +=
-        static_cast<double>(r_.size()) - moved / static_cast<double>(deviations_.size());
+    redundancy += static_cast<double>(r_.size()) - moved / static_cast<double>(deviations_.size());
   }
 
  private:
@@ -88,44 +76,52 @@ class Residuals {
   const ArmProblem& problem_;
   State& state_;
   const FrontPlan& plan_;
-  std::vector<std::vector<double>> deviations_;
+  Vectors deviations_;
   std::vector<const double*> values_;
   std::vector<double*> pointers_;
   std::vector<Rows> J_;
   Eigen::VectorXd r_, moved_;
 };
 
-// Of one sensor, given what was assumed.
-Unmodelled Estimated(const ArmProblem& problem, int sensor, const Spread& acceleration,
-                     const Spread& quiver) {
-  const double white =
-      0.5 * std::pow(problem.observations().recordings[U(sensor)].noise.accel_density, 2);
-  const Unmodelled& used = problem.unmodelled()[U(sensor)];
-  const double memory = 2 * problem.options().unmodelled_correlation_s;
-  const double density = white + memory * used.acceleration * used.acceleration;
-  const double variance = (acceleration.Ratio() * density - white) / memory;
-  return {std::sqrt(std::max(variance, kLeastAcceleration * kLeastAcceleration)),
-          std::max(std::sqrt(quiver.Ratio()) * used.quiver, kLeastQuiver)};
-}
-
 }  // namespace
 
-std::vector<Unmodelled> EstimateUnmodelled(const ArmProblem& problem, State& state,
-                                           ChainWorkspace& workspace) {
-  const int knots = problem.size().knots;
-  workspace.plan.Build(problem, state, {}, {.end_knot = knots, .last_knot = knots});
-  workspace.sweep.Prepare(workspace.plan);
-  workspace.sweep.Run(workspace.plan, 0.0);
-  Residuals residuals(problem, state, workspace);
-  std::vector<Spread> accelerations(U(problem.size().sensors)), quivers(accelerations);
-  for (const Term& term : problem.terms()) {
-    if (term.kind == ResidualKind::kAccelerometer)
-      residuals.Add(term, accelerations[U(term.sensor)]);
-    if (term.kind == ResidualKind::kSegmentChain) residuals.Add(term, quivers[U(term.sensor)]);
+UnmodelledSums::UnmodelledSums(const ArmProblem& problem)
+    : draws_(kDrawnKnots / problem.size().knots + 1),
+      accelerations_(U(problem.size().sensors)),
+      quivers_(accelerations_) {}
+
+double UnmodelledSums::Spread::Ratio() const {
+  return (squares + kPriorResiduals) / (redundancy + kPriorResiduals);
+}
+
+void UnmodelledSums::Add(const ArmProblem& problem, State& state, int first_knot, int last_knot,
+                         ChainWorkspace& workspace) {
+  Residuals residuals(problem, state, workspace.plan, Draw(draws_, random_, workspace));
+  const auto& terms = problem.terms();
+  auto term = std::lower_bound(terms.begin(), terms.end(), first_knot,
+                               [](const Term& other, int knot) { return other.first_knot < knot; });
+  for (; term != terms.end() && term->first_knot <= last_knot; ++term) {
+    if (term->last_knot > last_knot) continue;
+    const bool accelerates = term->kind == ResidualKind::kAccelerometer;
+    if (!accelerates && term->kind != ResidualKind::kSegmentChain) continue;
+    Spread& spread = (accelerates ? accelerations_ : quivers_)[U(term->sensor)];
+    residuals.Add(*term, spread.squares, spread.redundancy);
   }
+}
+
+std::vector<Unmodelled> UnmodelledSums::Estimate(const ArmProblem& problem) const {
   std::vector<Unmodelled> unmodelled;
-  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
-    unmodelled.push_back(Estimated(problem, sensor, accelerations[U(sensor)], quivers[U(sensor)]));
+  const double memory = 2 * problem.options().unmodelled_correlation_s;
+  for (std::size_t sensor = 0; sensor < quivers_.size(); ++sensor) {
+    const Unmodelled& used = problem.unmodelled()[sensor];
+    const double white =
+        0.5 * std::pow(problem.observations().recordings[sensor].noise.accel_density, 2);
+    const double density = white + memory * used.acceleration * used.acceleration;
+    const double variance = (accelerations_[sensor].Ratio() * density - white) / memory;
+    unmodelled.push_back(
+        {std::sqrt(std::max(variance, kLeastAcceleration * kLeastAcceleration)),
+         std::max(std::sqrt(quivers_[sensor].Ratio()) * used.quiver, kLeastQuiver)});
+  }
   return unmodelled;
 }
 

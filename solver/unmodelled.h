@@ -8,6 +8,7 @@
 // Source: variance components, Förstner (1979); trace by random signs, Hutchinson (1989).
 #pragma once
 
+#include <random>
 #include <vector>
 
 #include "problems/arm_problem.h"
@@ -15,8 +16,28 @@
 
 namespace brachium {
 
-// Of each sensor, linearised at `state`.
-std::vector<Unmodelled> EstimateUnmodelled(const ArmProblem& problem, State& state,
-                                           ChainWorkspace& workspace);
+class UnmodelledSums {
+ public:
+  explicit UnmodelledSums(const ArmProblem& problem);
+
+  // Takes the terms in between two knots, both included, at `state`, at which `workspace` made its
+  // last pass over them.
+  void Add(const ArmProblem& problem, State& state, int first_knot, int last_knot,
+           ChainWorkspace& workspace);
+
+  // Of each sensor, by all terms that were taken.
+  std::vector<Unmodelled> Estimate(const ArmProblem& problem) const;
+
+ private:
+  // Weighted residuals of one kind: their squares, and how many of them the unknowns do not take up.
+  struct Spread {
+    double squares = 0.0, redundancy = 0.0;
+    double Ratio() const;  // estimated over assumed variance
+  };
+
+  int draws_;
+  std::mt19937_64 random_{1};
+  std::vector<Spread> accelerations_, quivers_;  // by sensor
+};
 
 }  // namespace brachium

@@ -123,6 +123,8 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     DeadReckon(problem, state, known, end);
     const auto summary = Solve(problem, state, prior, start, end, solve, &workspace);
     report.iterations += summary.iterations;
+    if (options.unmodelled != nullptr)
+      options.unmodelled->Add(problem, state, start, end, workspace);
     ++report.windows;
     known = end;
     if (progress)

@@ -5,6 +5,7 @@
 #include "solver/elimination.h"
 #include "solver/estimator.h"
 #include "solver/least_squares.h"
+#include "solver/unmodelled.h"
 
 namespace brachium {
 
@@ -15,6 +16,7 @@ struct WindowOptions {
   // small.
   bool only_a_start = false;
   SolverKind solver = SolverKind::kChain;
+  UnmodelledSums* unmodelled = nullptr;  // takes what windows that do not overlap leave unexplained
 };
 
 struct WindowReport {

@@ -45,15 +45,16 @@ class Accelerometer {
     const Eigen::Quaternion<T> q_SW = (q_WB * q_BS_.cast<T>()).conjugate();
     const Vector3T<T> bias = T(1 - alpha_) * Vector<T>(x[5]) + T(alpha_) * Vector<T>(x[6]) -
                              interval_.gyro_bias.cast<T>();
+    const T behind = x[10][0] - T(interval_.clock_offset);
     const auto s_g = Vector<T>(x[7]), a = Vector<T>(x[8]), s_a = Vector<T>(x[9]);
     const Vector3T<T> r_v = q_SW * u_v - interval_.dv.cast<T>() -
                             interval_.dv_dbg.cast<T>() * bias - interval_.dv_dsg.cast<T>() * s_g -
                             interval_.dv_dba.cast<T>() * a - interval_.dv_dsa.cast<T>() * s_a -
-                            interval_.dv_dc.cast<T>() * x[10][0];
+                            interval_.dv_dc.cast<T>() * behind;
     const Vector3T<T> r_p = q_SW * u_p - interval_.dp.cast<T>() -
                             interval_.dp_dbg.cast<T>() * bias - interval_.dp_dsg.cast<T>() * s_g -
                             interval_.dp_dba.cast<T>() * a - interval_.dp_dsa.cast<T>() * s_a -
-                            interval_.dp_dc.cast<T>() * x[10][0];
+                            interval_.dp_dc.cast<T>() * behind;
     whitening_.Apply(r_v, r_p, r);
   }
 

@@ -1,7 +1,7 @@
 // Gyroscope: the attitude turns between two knots as the rates, less their bias, say.
 //
 //   r = Log( dR(b)ᵀ R_WS,k⁻¹ R_WS,k+1 ) / σ,   R_WS = R_WB R_BS,
-//   dR(b) = dR Exp(c),   c = dR_dbg (b - b̄) + dR_dsg s + dR_dc τ,   b = (1-α) b_j + α b_j+1, the
+//   dR(b) = dR Exp(c),   c = dR_dbg (b - b̄) + dR_dsg s + dR_dc (τ - τ̄),   b = (1-α) b_j + α b_j+1, the
 //   value at the interval's middle
 //
 // Frames    W world, B segment, S sensor. dR: attitude at the end in the sensor's frame at the start.
@@ -37,6 +37,7 @@ class Gyroscope {
         dR_dsg_(interval.dR_dsg),
         dR_dc_(interval.dR_dc),
         bias_(interval.gyro_bias),
+        clock_offset_(interval.clock_offset),
         q_BS_(q_BS),
         alpha_(alpha),
         weight_(1.0 / sigma) {}
@@ -48,7 +49,8 @@ class Gyroscope {
     const Eigen::Quaternion<T> q_BS = q_BS_.cast<T>();
     const Vector3T<T> bias = (T(1) - T(alpha_)) * Vector(x[2]) + T(alpha_) * Vector(x[3]);
     const Vector3T<T> correction = dR_dbg_.cast<T>() * (bias - bias_.cast<T>()) +
-                                   dR_dsg_.cast<T>() * Vector(x[4]) + dR_dc_.cast<T>() * x[5][0];
+                                   dR_dsg_.cast<T>() * Vector(x[4]) +
+                                   dR_dc_.cast<T>() * (x[5][0] - T(clock_offset_));
     const Eigen::Quaternion<T> dq = dq_.cast<T>() * Exp<T>(correction);
     const Eigen::Quaternion<T> turn = (Rotation(x[0]) * q_BS).conjugate() * (Rotation(x[1]) * q_BS);
     Eigen::Map<Vector3T<T>>{r} = T(weight_) * Log<T>(dq.conjugate() * turn);
@@ -60,7 +62,7 @@ class Gyroscope {
     using Block = Eigen::Map<RowMajor<3, 3>>;
     const Eigen::Vector3d bias = (1 - alpha_) * Vector(x[2]) + alpha_ * Vector(x[3]);
     const Eigen::Vector3d correction =
-        dR_dbg_ * (bias - bias_) + dR_dsg_ * Vector(x[4]) + dR_dc_ * x[5][0];
+        dR_dbg_ * (bias - bias_) + dR_dsg_ * Vector(x[4]) + dR_dc_ * (x[5][0] - clock_offset_);
     const Eigen::Quaterniond q_error = (dq_ * Exp<double>(correction)).conjugate() *
                                        (Rotation(x[0]) * q_BS_).conjugate() *
                                        (Rotation(x[1]) * q_BS_);
@@ -82,6 +84,7 @@ class Gyroscope {
   Eigen::Matrix3d dR_dbg_, dR_dsg_;
   Eigen::Vector3d dR_dc_;
   Eigen::Vector3d bias_;
+  double clock_offset_;
   Eigen::Quaterniond q_BS_;
   double alpha_;
   double weight_;

@@ -145,7 +145,7 @@ TEST(Preintegrated, ForetellsWhatAClockThatIsBehindChanges) {
     return matrix;
   };
   const double behind = 1e-4;
-  ExpectForetold(before, samples.Sum(0.2 - behind, 0.6 - behind, kNoBias), along_x(before.dR_dc),
+  ExpectForetold(before, samples.Sum(0.2, 0.6, kNoBias, behind), along_x(before.dR_dc),
                  along_x(before.dv_dc), along_x(before.dp_dc), Vector3d(behind, 0.0, 0.0));
 }
 
@@ -155,6 +155,29 @@ TEST(Preintegrated, KnowsWhatAClockThatIsBehindChangesUpToBothEndsOfTheRecording
   EXPECT_TRUE(whole.dR_dc.allFinite());
   EXPECT_TRUE(whole.dv_dc.allFinite());
   EXPECT_TRUE(whole.dp_dc.allFinite());
+}
+
+TEST(Preintegrator, TakesTheSamplesThatAClockWhichIsBehindStampedEarlier) {
+  const Preintegrator samples(Even(SwayingSensor(0.7), 100.0, 0.8));
+  const auto behind = samples.Sum(0.25, 0.5, kNoBias, 0.05),
+             shifted = samples.Sum(0.2, 0.45, kNoBias);
+  EXPECT_EQ(Distance(behind, shifted), 0.0);
+  EXPECT_EQ(behind.clock_offset, 0.05);
+  EXPECT_EQ(samples.Turn(0.25, 0.5, kNoBias, 0.05).dq.coeffs(),
+            samples.Turn(0.2, 0.45, kNoBias).dq.coeffs());
+}
+
+TEST(Preintegrator, HoldsTheOuterSamplesWithAVarianceWhereAClockAsksForMore) {
+  const Preintegrator samples(Even(SwayingSensor(0.7), 100.0, 0.8));
+  const double begin = samples.Begin(), end = samples.End();
+  const auto early = samples.Sum(begin, begin + 0.1, kNoBias, 0.05);
+  const auto late = samples.Sum(end - 0.1, end, kNoBias, -0.05);
+  for (const Preintegrated& sum : {early, late}) {
+    EXPECT_NEAR(sum.dv.norm(), 9.81 * 0.1, 0.2);
+    EXPECT_GT(sum.gyro_gap_variance, 0.0);
+    EXPECT_GT(sum.accel_gap_variance, 0.0);
+  }
+  EXPECT_EQ(samples.Sum(begin, begin + 0.1, kNoBias).gyro_gap_variance, 0.0);
 }
 
 TEST(Preintegrator, ComposesOverAKnotThatCutsACell) {

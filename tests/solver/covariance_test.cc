@@ -6,6 +6,7 @@
 
 #include "solver/initial_guess.h"
 #include "solver/window.h"
+#include "tests/support/assess_at.h"
 #include "tests/support/dense_information.h"
 #include "tests/support/simulated_trial.h"
 
@@ -22,7 +23,7 @@ struct Solved {
     SolveForward(problem, state, {}, {});
     Solve(problem, state, {}, 0, problem.timeline().Intervals(), {});
   }
-  Certainty Assess() { return AssessCertainty(problem, state); }
+  Certainty Assess() { return AssessAt(problem, state); }
 };
 
 Observations CutAt(double end) {
@@ -75,7 +76,7 @@ TEST(Certainty, NamesWhatTheInformationDoesNotDetermine) {
   State state = Solved(observations).state;
   const ArmProblem problem(observations, {}, 0.1);  // its heading not tied down
   PoseCovariance poses(problem, state);
-  const std::vector<int> singular = AssessCertainty(problem, state, nullptr, &poses).singular;
+  const std::vector<int> singular = AssessAt(problem, state, &poses).singular;
   const bool is_named = std::any_of(singular.begin(), singular.end(), [&](int unknown) {
     return problem.Describe(unknown).kind == UnknownKind::kAttitude;
   });

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/window.h"
+#include "tests/support/assess_at.h"
 #include "tests/support/simulated_trial.h"
 
 namespace brachium {
@@ -20,7 +21,7 @@ struct Solved {
       : problem(observations, {}, 0.1), state(problem.PriorState()) {
     SolveForward(problem, state, {}, {});
     Solve(problem, state, {}, 0, problem.timeline().Intervals(), {});
-    certainty = AssessCertainty(problem, state);
+    certainty = AssessAt(problem, state);
   }
 };
 

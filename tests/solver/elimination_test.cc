@@ -291,13 +291,13 @@ TEST(FrontSweep, DrawsDeviationsOfTheCovariance) {
   stretch.workspace.sweep.Prepare(plan);
   stretch.workspace.sweep.Run(plan, 0.0);
   MatrixXd draws(plan.columns(), plan.columns());
-  std::vector<double> sign(static_cast<std::size_t>(plan.columns())), deviation;
-  for (int column = 0; column < plan.columns(); ++column) {
-    std::fill(sign.begin(), sign.end(), 0.0);
-    sign[static_cast<std::size_t>(column)] = 1.0;
-    stretch.workspace.sweep.Draw(plan, sign, deviation);
-    draws.col(column) = Eigen::Map<const VectorXd>(deviation.data(), plan.columns());
-  }
+  const auto columns = static_cast<std::size_t>(plan.columns());
+  std::vector<std::vector<double>> signs(columns, std::vector<double>(columns, 0.0)), deviations;
+  for (std::size_t column = 0; column < columns; ++column) signs[column][column] = 1.0;
+  stretch.workspace.sweep.Draw(plan, signs, deviations);
+  for (int column = 0; column < plan.columns(); ++column)
+    draws.col(column) = Eigen::Map<const VectorXd>(
+        deviations[static_cast<std::size_t>(column)].data(), plan.columns());
   const VectorXd sd = (draws * draws.transpose()).diagonal().cwiseSqrt();
   DenseInformation all(stretch.problem);
   all.AddTerms(stretch.problem, stretch.state, 0, knots);

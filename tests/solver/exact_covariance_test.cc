@@ -6,6 +6,7 @@
 #include "problems/rotation_manifold.h"
 #include "solver/covariance.h"
 #include "solver/window.h"
+#include "tests/support/assess_at.h"
 #include "tests/support/dense_information.h"
 #include "tests/support/simulated_trial.h"
 
@@ -32,7 +33,7 @@ struct Assessed {
 
   explicit Assessed(const Observations& observations)
       : problem(observations, {}, 0.1), state(problem.PriorState()), poses(Solved(), state) {
-    certainty = AssessCertainty(problem, state, nullptr, &poses);
+    certainty = AssessAt(problem, state, &poses);
   }
 
   // Of two segments' errors at a knot in world axes, from what `expected` says of the unknowns.

@@ -7,6 +7,7 @@
 #include "solver/batch_smoother.h"
 #include "solver/covariance.h"
 #include "solver/window.h"
+#include "tests/support/assess_at.h"
 #include "tests/support/dense_information.h"
 #include "tests/support/simulated_trial.h"
 
@@ -28,7 +29,7 @@ class Poses : public testing::Test {
     SolveForward(problem_, state_, {}, {});
     Solve(problem_, state_, {}, 0, problem_.timeline().Intervals(), {});
     poses_ = std::make_unique<PoseCovariance>(problem_, state_);
-    AssessCertainty(problem_, state_, nullptr, poses_.get());
+    AssessAt(problem_, state_, poses_.get());
     all_ = std::make_unique<DenseInformation>(problem_);
     all_->AddTerms(problem_, state_, 0, problem_.size().knots);
     dense_ = SolvedInLongDouble(all_->H, MatrixXd::Identity(all_->H.rows(), all_->H.cols()));

@@ -24,7 +24,12 @@ struct Solved {
     Solve(problem, state, {}, 0, problem.timeline().Intervals(), {});
   }
 
-  std::vector<Unmodelled> Estimated() { return EstimateUnmodelled(problem, state, workspace); }
+  std::vector<Unmodelled> Estimated() {
+    workspace.Linearise(problem, state);
+    UnmodelledSums sums(problem);
+    sums.Add(problem, state, 0, problem.size().knots, workspace);
+    return sums.Estimate(problem);
+  }
 
   // (Σ|r|² + 30) / (Σ rows - tr(J Σ Jᵀ) + 30), by the dense covariance.
   double DenseRatio(const MatrixXd& covariance, ResidualKind kind, int sensor) {
