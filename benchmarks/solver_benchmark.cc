@@ -169,7 +169,8 @@ void Covariance(benchmark::State& state) {
   minute.SolveWhole(SolverKind::kChain, workspace);
   for (auto _ : state) {
     PoseCovariance poses(minute.problem, minute.state);
-    benchmark::DoNotOptimize(AssessCertainty(minute.problem, minute.state, &workspace, &poses));
+    workspace.Linearise(minute.problem, minute.state);
+    benchmark::DoNotOptimize(AssessCertainty(minute.problem, minute.state, workspace, &poses));
   }
   CountKnots(state, minute);
 }

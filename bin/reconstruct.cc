@@ -76,7 +76,7 @@ int RunReconstruct(CommandLine& line) {
   CheckReplaceable(flags.output, EstimateFolderKind(), flags.overwrite);
 
   const Stopwatch reading;
-  const TrialFolder folder = ReadTrial(flags.trial);
+  const TrialFolder folder = ReadTrial(flags.trial, TrialParts::kRecordings);
   const RunInfo run = RunInfoOf(folder, method, line.RunFlags({"output", "overwrite"}), line.text(),
                                 reading.Seconds());
   const auto estimator = MakeEstimator(method);

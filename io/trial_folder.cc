@@ -73,8 +73,8 @@ void CheckChain(const JsonNode& recordings, const std::set<Segment>& recorded) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& folder)
-      : folder_(folder), root_(ParseRoot()), entries_(), recorded_() {}
+  Reader(const std::string& folder, TrialParts parts)
+      : folder_(folder), parts_(parts), root_(ParseRoot()), entries_(), recorded_() {}
 
   TrialFolder Read() {
     CheckVersion();
@@ -189,6 +189,7 @@ class Reader {
   void ReadReference(const JsonNode& node, const Interval& common) {
     const ReferenceEntry entry = ParseReferenceEntry(node, &result_);
     const std::string file = InFolder(FileOf(node));
+    if (parts_ == TrialParts::kRecordings) return;
     const FileBytes bytes(file);
     result_.inputs.push_back({entry.file, Sha256(bytes.text())});
     ReferenceFile read = ParseReference(bytes.text(), file, entry, recorded_, &result_);
@@ -202,6 +203,7 @@ class Reader {
   }
 
   const std::string folder_;
+  const TrialParts parts_;
   TrialFolder result_;
   const JsonNode root_;
   std::vector<Entry> entries_;
@@ -211,10 +213,10 @@ class Reader {
 
 }  // namespace
 
-TrialFolder ReadTrial(const std::string& folder) {
+TrialFolder ReadTrial(const std::string& folder, TrialParts parts) {
   if (!fs::is_directory(folder))
     throw InputError(folder, 0, "is not a folder; expected a trial folder with a trial.json");
-  return Reader(folder).Read();
+  return Reader(folder, parts).Read();
 }
 
 }  // namespace brachium

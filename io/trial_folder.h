@@ -26,10 +26,15 @@ struct TrialFolder : Findings {
   std::vector<InputFile> inputs;
 };
 
+enum class TrialParts {
+  kAll,
+  kRecordings,  // the reference is left unread
+};
+
 // Reads a trial. A recording that trial.json gives no mounting has none afterwards, unless it is
 // alone: then its segment's axes are the sensor's. A left arm stays a left arm. Throws InputError
 // `file:line: what, and what was expected` for everything that cannot be mended.
-TrialFolder ReadTrial(const std::string& folder);
+TrialFolder ReadTrial(const std::string& folder, TrialParts parts = TrialParts::kAll);
 
 // What a written trial says besides the trial.
 struct TrialExtras {

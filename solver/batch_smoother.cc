@@ -52,14 +52,21 @@ bool OnSkin(const ArmProblem& problem) {
 constexpr double kClockReach = 0.005;
 constexpr int kMostSums = 4;
 
-// Sums the samples again where a clock was found further than that from where it was taken to be;
-// says whether it did.
+// A clock whose sd is not smaller than this share of its prior's is not followed: in slow movement of
+// sensors that are wrong otherwise it would run away.
+constexpr double kInformed = 1.0 / 3;
+
+// Sums the samples again where a clock was found further than that from where it was taken to be, and
+// the movement tells it; says whether it did.
 bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
-  double moved = 0.0;
-  for (int sensor = 0; sensor < problem.size().sensors; ++sensor)
-    moved = std::max(moved, std::abs(*state.Constant(UnknownKind::kClockOffset, sensor) -
-                                     problem.Interval(0, sensor).clock_offset));
-  if (moved <= kClockReach) return false;
+  bool moved = false;
+  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
+    const double offset = *state.Constant(UnknownKind::kClockOffset, sensor);
+    if (std::abs(offset - problem.Interval(0, sensor).clock_offset) <= kClockReach) continue;
+    const double sd = DrawnSd(workspace, problem.Constant(UnknownKind::kClockOffset, sensor));
+    moved = moved || sd < kInformed * problem.options().clock_offset_sigma_s;
+  }
+  if (!moved) return false;
   problem.SumAgain(state);
   workspace.plan = FrontPlan(problem);
   workspace.Linearise(problem, state);
@@ -118,7 +125,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   const WindowReport windows =
       SolveForward(problem, state,
                    {.length = options_.window_s,
-                    .advance = options_.whole_trial ? options_.window_s : options_.window_advance_s,
+                    .advance = options_.window_advance_s,
                     .only_a_start = options_.whole_trial,
                     .solver = solver,
                     .unmodelled = judges_skin ? &left_by_windows : nullptr},
@@ -134,7 +141,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     SolveWholeTrial(problem, state,
                     {.solver = solver,
                      .most_iterations = 4,
-                     .least_decrease = 0.01,
+                     .least_decrease = 0.05,
                      .threads = options_.threads},
                     workspace, diagnostics);
     followed = sums-- > 0 && FollowsClocks(problem, state, workspace);

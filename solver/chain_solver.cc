@@ -22,6 +22,9 @@ constexpr double kLeastGain = 1e-3;  // that is taken for one
 constexpr double kShortest = 0.08;   // share of a step worth a try; else damping serves better
 constexpr double kLongest = 64.0;
 
+// At the bottom of a well squared steps shrink ever faster; unless a loss bends, by this much less.
+constexpr double kDoubt = 100.0;
+
 // A decrease below this share of the cost drowns in its rounding errors.
 constexpr double kRounding = 1e-14;
 
@@ -62,7 +65,12 @@ class Descent {
   }
 
  private:
-  bool IsSmall() const { return here_.length_2 <= options_.step_in_sd * options_.step_in_sd; }
+  // Whether the step is, or the next one will be if it shrinks by no less than a hundredth of what
+  // this one did.
+  bool IsSmall() const {
+    const double shrinks = std::min(1.0, kDoubt * here_.length_2 / length_2_before_);
+    return here_.length_2 * shrinks <= options_.step_in_sd * options_.step_in_sd;
+  }
 
   // Takes the step that the last ones call for, if there is one and it is good.
   bool TryMixed(double foretold) {
@@ -104,6 +112,7 @@ class Descent {
   bool Take(const std::vector<double>& step, double share) {
     memory_.Go(step, share);
     values_.Save();
+    length_2_before_ = share == 1.0 ? here_.length_2 : 0.0;
     here_ = there_;
     damping_ = damping_there_;
     return true;
@@ -115,6 +124,8 @@ class Descent {
   }
 
   SolveSummary Ended(bool converged, const char* message) {
+    if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
+    if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
     summary_.final_cost = here_.cost;
     summary_.gradient_norm = here_.gradient_norm;
     summary_.converged = converged;
@@ -128,6 +139,7 @@ class Descent {
   StepValues values_;
   FrontSweep::Sums here_, there_;  // of the values that stand, and of those that are tried
   double damping_ = kLeastDamping, damping_there_ = 0.0;
+  double length_2_before_ = 0.0;  // of the step that led here, if it was a whole one
   std::vector<double> step_, mixed_;
   StepMemory memory_;
   SolveSummary summary_;

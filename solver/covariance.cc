@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "solver/elimination.h"
 
@@ -28,7 +29,25 @@ double RelativeHeadingSd(const ArmProblem& problem, const State& state, int sens
   return std::sqrt(std::max(variance, 0.0));
 }
 
+constexpr int kDraws = 50;
+
 }  // namespace
+
+double DrawnSd(ChainWorkspace& workspace, int unknown) {
+  const int index = workspace.plan.IndexOf(unknown);
+  if (index < 0 || workspace.plan.variables()[U(index)].tangent == 0) return 0.0;
+  std::mt19937_64 random(1);
+  std::vector<std::vector<double>> signs(1, std::vector<double>(U(workspace.plan.columns()))),
+      deviation;
+  double squares = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    for (double& sign : signs[0]) sign = random() & 1 ? 1.0 : -1.0;
+    workspace.sweep.Draw(workspace.plan, signs, deviation);
+    const double moved = deviation[0][U(workspace.plan.variables()[U(index)].column)];
+    squares += moved * moved;
+  }
+  return std::sqrt(squares / kDraws);
+}
 
 Certainty AssessCertainty(const ArmProblem& problem, const State& state,
                           const ChainWorkspace& workspace, PoseCovariance* poses) {

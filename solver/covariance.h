@@ -24,4 +24,8 @@ struct Certainty {
 Certainty AssessCertainty(const ArmProblem& problem, const State& state,
                           const ChainWorkspace& workspace, PoseCovariance* poses = nullptr);
 
+// Sd of an unknown of one number by the last pass of `workspace`, to a tenth, at the cost of some
+// passes; for one that a plan does not know, 0.
+double DrawnSd(ChainWorkspace& workspace, int unknown);
+
 }  // namespace brachium

@@ -1,6 +1,5 @@
 #include "solver/elimination.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "solver/front_factor.h"
@@ -52,31 +51,30 @@ Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedP
                        .hand_on = true});
 }
 
+// L of what comes last: L Lᵀ is the information that is left about it, and L y its gradient.
 CarriedPrior Elimination::Carry() const {
-  const MatrixXd H = sweep_.KeptInformation(plan_);
-  const VectorXd g = sweep_.KeptGradient(plan_);
-  // H = V diag(λ) Vᵀ: J = diag(sqrt λ) Vᵀ and r̄ = diag(1/sqrt λ) Vᵀ g on the informed directions.
-  // Scaled to a unit diagonal first, since the unknowns' units differ by many orders of magnitude.
-  const VectorXd scale = H.diagonal().cwiseMax(1e-30).cwiseSqrt();
-  const MatrixXd scaled = scale.cwiseInverse().asDiagonal() * H * scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scaled);
-  const VectorXd lambda = eigen.eigenvalues().cwiseMax(0.0);
-  const double least = 1e-14 * lambda.maxCoeff();
-  const VectorXd root = lambda.cwiseSqrt();
-  const VectorXd inverse_root =
-      (lambda.array() > least).select(root.cwiseInverse(), VectorXd::Zero(root.size()));
-  const MatrixXd J = root.asDiagonal() * eigen.eigenvectors().transpose() * scale.asDiagonal();
-  const VectorXd r = inverse_root.asDiagonal() * eigen.eigenvectors().transpose() *
-                     scale.cwiseInverse().asDiagonal() * g;
+  const FrontPlan::Front& last = plan_.fronts().back();
+  const int past = static_cast<int>(plan_.fronts().size());
   std::vector<int> unknowns, sizes;
   std::vector<double> point;
-  const FrontPlan::Front& last = plan_.fronts().back();
+  int first = last.columns;
   for (const FrontPlan::Member& member : plan_.Members(last)) {
-    if (member.column < last.eliminated) continue;
     const FrontPlan::Variable& variable = plan_.variables()[U(member.variable)];
+    if (variable.last_front < past) continue;
+    first = std::min(first, member.column);
     unknowns.push_back(variable.unknown);
     sizes.push_back(variable.size);
     point.insert(point.end(), variable.value, variable.value + variable.size);
+  }
+  const Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>> factor(
+      sweep_.Factor(last), last.Stride(), last.columns, Eigen::OuterStride<>(last.Stride()));
+  const int kept = last.columns - first;
+  MatrixXd J = factor.block(first, first, kept, kept).transpose().triangularView<Eigen::Upper>();
+  VectorXd r = factor.row(last.columns).segment(first, kept);
+  for (int i = 0; i < kept; ++i) {
+    if (!sweep_.IsLost(last.first_column + first + i)) continue;
+    J.row(i).setZero();
+    r[i] = 0.0;
   }
   const Eigen::Map<const VectorXd> point_vector(point.data(),
                                                 static_cast<Eigen::Index>(point.size()));

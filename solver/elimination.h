@@ -31,24 +31,23 @@ using CovarianceView = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>
 class Elimination {
  public:
   // Linearises and eliminates `prior` and all terms whose first knot lies in [start_knot,
-  // end_knot), at the values in `state`. Unknowns that terms from `end_knot` on touch are kept;
-  // none is where end_knot is past the last knot. Holds until `workspace` is used again.
+  // end_knot), at the values in `state`; unknowns that terms from `end_knot` on touch come last.
+  // Holds until `workspace` is used again.
   Elimination(const ArmProblem& problem, State& state, const CarriedPrior& prior, int start_knot,
               int end_knot, ChainWorkspace& workspace);
 
-  // What the last pass over a workspace's plan left, whose end is past the last knot. Holds until
-  // `workspace` is used again.
+  // What the last pass over a workspace's plan left. Holds until `workspace` is used again.
   explicit Elimination(const ChainWorkspace& workspace)
       : plan_(workspace.plan), sweep_(workspace.sweep) {}
 
-  // What was said about the unknowns that stay, as a residual with its point as it was linearised.
+  // What was said about the unknowns that later terms touch, as a residual with its point. Requires a
+  // plan that hands on.
   CarriedPrior Carry() const;
 
   // A pivot block was not positive definite: the information does not determine its unknowns.
   std::vector<int> singular() const { return sweep_.Undetermined(plan_); }
 
-  // Visits the fronts from last to first with the joint covariance of their unknowns. Requires an
-  // end past the last knot.
+  // Visits the fronts from last to first with the joint covariance of their unknowns.
   using Visitor =
       std::function<void(int knot, const BlockIndex& index, const CovarianceView& covariance)>;
   void VisitCovariances(const Visitor& visit) const;

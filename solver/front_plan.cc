@@ -1,7 +1,6 @@
 #include "solver/front_plan.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "solver/front_factor.h"
 
@@ -9,8 +8,6 @@ namespace brachium {
 namespace {
 
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
-
-constexpr int kStays = std::numeric_limits<int>::max();
 
 }  // namespace
 
@@ -62,7 +59,8 @@ void FrontPlan::Build(const ArmProblem& problem, State& state, const CarriedPrio
       variable.last_front = static_cast<int>(fronts_.size()) - 1;
   if (range.hand_on)
     for (Variable& variable : variables_)
-      if (last_knot_[U(variable.unknown)] >= range.end_knot) variable.last_front = kStays;
+      if (last_knot_[U(variable.unknown)] >= range.end_knot)
+        variable.last_front = static_cast<int>(fronts_.size());
   OrderVariables();
   for (std::size_t i = 0; i < fronts_.size(); ++i) {
     EnterMembers(fronts_[i]);
@@ -139,6 +137,7 @@ void FrontPlan::EnterMembers(Front& front) {
   std::inplace_merge(active_.begin(), active_.begin() + carried, active_.end());
 
   const int index = static_cast<int>(&front - fronts_.data());
+  const bool is_last = index + 1 == static_cast<int>(fronts_.size());
   front.first_member = members_.size();
   front.members = active_.size();
   front.first_column = active_.empty() ? 0 : variables_[U(active_.front())].column;
@@ -148,7 +147,7 @@ void FrontPlan::EnterMembers(Front& front) {
     column_in_front_[U(member)] = front.columns;
     members_.push_back({member, front.columns});
     front.columns += variable.tangent;
-    if (variable.last_front > index) continue;
+    if (variable.last_front > index && !is_last) continue;
     front.eliminated = front.columns;
     ++leaving;
   }

@@ -3,8 +3,9 @@
 //
 // Terms come in order of their first knot. At each knot there is a front: the unknowns that terms
 // have touched and that are not eliminated yet. Those that no later term touches are eliminated
-// there; the rest is handed on to the next front. All columns are in the order of elimination, so
-// that what a front eliminates comes first in it and what it hands on keeps its order.
+// there; the rest is handed on to the next front, and the last front eliminates all. All columns are
+// in the order of elimination, so that what a front eliminates comes first in it and what it hands on
+// keeps its order.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct TermRange {
   int start_knot = 0;  // terms whose first knot lies in [start_knot, end_knot)
   int end_knot = 0;
   int last_knot = 0;           // and that do not reach beyond this one
-  bool hand_on = false;        // keep what terms from end_knot on touch; else all are eliminated
+  bool hand_on = false;        // what terms from end_knot on touch comes last
   bool hold_geometry = false;  // scales, geometry and clocks are numbers, not unknowns
   bool leave_stops = false;    // take no stops of joints
 };
@@ -45,7 +46,7 @@ class FrontPlan {
     double* value;
     int size, tangent;
     int column;      // of the step, which holds all columns of the plan
-    int last_front;  // that touches it; past the last front for one that stays
+    int last_front;  // that touches it; past the last front for one that is handed on
   };
   struct PlannedTerm {
     const TangentCost* cost;

@@ -49,7 +49,7 @@ FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping) {
   for (const FrontPlan::Front& front : plan.fronts()) {
     TakeOver(plan, front, stride_before);
     for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) cost += AddTerm(plan, front, term);
-    if (Eliminate(front)) lost_.push_back(static_cast<int>(&front - plan.fronts().data()));
+    Eliminate(front);
     const double* y = Factor(front) + front.columns;
     for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
     stride_before = front.Stride();
@@ -108,7 +108,7 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
   return cost;
 }
 
-bool FrontSweep::Eliminate(const FrontPlan::Front& front) {
+void FrontSweep::Eliminate(const FrontPlan::Front& front) {
   const int stride = front.Stride();
   const double lost = damping_ > 0.0 ? kShareOfDamping * damping_ : kSingular;
   for (int k = 0; k < front.eliminated; ++k) {
@@ -116,23 +116,30 @@ bool FrontSweep::Eliminate(const FrontPlan::Front& front) {
     front_[U(k * stride + k)] += damping_ * Clamped(diagonal);
     least_[U(k)] = lost * std::max(diagonal, 1e-9);
   }
-  const int raised =
-      FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());
-  bool is_lost = raised > 0;
+  FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());
   for (int k = 0; k < front.eliminated; ++k) {
-    const double root = front_[U(k * stride + k)];
-    is_lost = is_lost || root * root < kSingular * diagonal_[U(front.first_column + k)];
+    const double root = front_[U(k * stride + k)], raised = std::sqrt(kRaised * least_[U(k)]);
+    if (root == raised || root * root < kSingular * diagonal_[U(front.first_column + k)])
+      lost_.push_back(front.first_column + k);
   }
   std::copy_n(front_.data(), front.eliminated * stride, factors_.data() + front.storage);
-  return is_lost;
+}
+
+bool FrontSweep::IsLost(int column) const {
+  return std::binary_search(lost_.begin(), lost_.end(), column);
 }
 
 std::vector<int> FrontSweep::Undetermined(const FrontPlan& plan) const {
   std::vector<int> unknowns;
-  for (const int front : lost_)
-    for (const FrontPlan::Member& member : plan.Members(plan.fronts()[U(front)]))
-      if (member.column < plan.fronts()[U(front)].eliminated)
+  auto lost = lost_.begin();
+  for (const FrontPlan::Front& front : plan.fronts()) {
+    if (lost == lost_.end()) break;
+    if (*lost >= front.first_column + front.eliminated) continue;
+    for (const FrontPlan::Member& member : plan.Members(front))
+      if (member.column < front.eliminated)
         unknowns.push_back(plan.variables()[U(member.variable)].unknown);
+    while (lost != lost_.end() && *lost < front.first_column + front.eliminated) ++lost;
+  }
   return unknowns;
 }
 
@@ -175,24 +182,6 @@ void FrontSweep::GatherKept(const FrontPlan& plan, const FrontPlan::Front& front
     const FrontPlan::Variable& variable = plan.variables()[U(member.variable)];
     std::copy_n(&columns[U(variable.column)], variable.tangent, &d_[U(member.column)]);
   }
-}
-
-Eigen::MatrixXd FrontSweep::KeptInformation(const FrontPlan& plan) const {
-  if (plan.fronts().empty()) return {};
-  const FrontPlan::Front& last = plan.fronts().back();
-  const int kept = last.columns - last.eliminated;
-  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> H(
-      before_.data(), last.columns, last.columns, Eigen::OuterStride<>(last.Stride()));
-  return H.bottomRightCorner(kept, kept).selfadjointView<Eigen::Lower>();
-}
-
-Eigen::VectorXd FrontSweep::KeptGradient(const FrontPlan& plan) const {
-  if (plan.fronts().empty()) return {};
-  const FrontPlan::Front& last = plan.fronts().back();
-  Eigen::VectorXd g(last.columns - last.eliminated);
-  for (int k = 0; k < g.size(); ++k)
-    g[k] = before_[U((last.eliminated + k) * last.Stride() + last.columns)];
-  return g;
 }
 
 void ChainWorkspace::Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior,

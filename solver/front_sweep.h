@@ -30,25 +30,24 @@ class FrontSweep {
   // Linearises and eliminates, with `damping` times the diagonal of JᵀJ added to it.
   Sums Run(const FrontPlan& plan, double damping);
 
+  // Whether in the last pass the pivot of a column lost all digits.
+  bool IsLost(int column) const;
+
   // Unknowns that the last pass eliminated in fronts with a pivot that lost all digits: they are not
   // determined.
   std::vector<int> Undetermined(const FrontPlan& plan) const;
 
   // The step of all columns that the last pass calls for, and by how much the linearised cost falls
-  // with it. Requires a plan that hands nothing on.
+  // with it.
   double Step(const FrontPlan& plan, std::vector<double>& step);
 
   // Of the cost at the last pass, all columns.
   const std::vector<double>& gradient() const { return gradient_; }
 
   // Deviations of all columns with the covariance of the last pass, each from its `signs`: as many
-  // random numbers of mean 0 and variance 1, independent. Requires a plan that hands nothing on.
+  // random numbers of mean 0 and variance 1, independent.
   void Draw(const FrontPlan& plan, const std::vector<std::vector<double>>& signs,
             std::vector<std::vector<double>>& deviations);
-
-  // What the last front hands on: the information about its members that stay, and its gradient.
-  Eigen::MatrixXd KeptInformation(const FrontPlan& plan) const;
-  Eigen::VectorXd KeptGradient(const FrontPlan& plan) const;
 
   // The eliminated columns of a front, as FactorFront left them.
   const double* Factor(const FrontPlan::Front& front) const {
@@ -59,8 +58,7 @@ class FrontSweep {
   void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
   double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                  const FrontPlan::PlannedTerm& term);
-  // Says whether a pivot lost all digits.
-  bool Eliminate(const FrontPlan::Front& front);
+  void Eliminate(const FrontPlan::Front& front);
   void GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
                   const std::vector<double>& columns);
 
@@ -69,7 +67,7 @@ class FrontSweep {
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> front_, before_;       // matrices of this front and of the last
   std::vector<double> least_, y_, d_;
-  std::vector<int> lost_;  // fronts of the last pass with a pivot that lost all digits
+  std::vector<int> lost_;  // columns whose pivots lost all digits in the last pass, increasing
   TermSquare term_;
 };
 

@@ -15,8 +15,9 @@ SolveSummary Solve(const ArmProblem& problem, State& state, const CarriedPrior& 
                    int start_knot, int last_knot, const SolveOptions& options,
                    ChainWorkspace* workspace) {
   const TermRange range{.start_knot = start_knot,
-                        .end_knot = last_knot + 1,
+                        .end_knot = options.hand_on ? last_knot : last_knot + 1,
                         .last_knot = last_knot,
+                        .hand_on = options.hand_on,
                         .hold_geometry = options.hold_geometry};
   if (options.solver == SolverKind::kCeres) {
     const SolveSummary summary = SolveByCeres(problem, state, prior, range, options);

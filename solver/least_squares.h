@@ -20,12 +20,16 @@ struct SolveOptions {
   SolverKind solver = SolverKind::kChain;
   int most_iterations = 50;
   // The search ends with a step that moves no linear combination of the unknowns by more than this
-  // share of its standard deviation. Smaller: closer to the minimum, more iterations.
+  // share of its standard deviation, or after which the next one would not. Smaller: closer to the
+  // minimum, more iterations.
   double step_in_sd = 1e-4;
   // Or before a step that, were the objective quadratic, lowers the cost by less than this share: the
   // values that stand are then those at which the last pass was made.
   double least_decrease = 0.0;
-  int threads = 1;             // of Ceres; the chain takes one
+  int threads = 1;  // of Ceres; the chain takes one
+  // Leave the terms that begin at the last knot to those who go on from it, to whom
+  // Elimination(workspace).Carry() tells what this stretch had to say.
+  bool hand_on = false;
   bool hold_geometry = false;  // keep scales, lever arms and joint vectors as they are
 };
 

@@ -17,14 +17,14 @@ std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const std::string kRelativeHeading = "relative_heading";  // forearm against upper arm
-constexpr double kNearby = 1e-5;  // [rad], over which gradients of angles are taken
+constexpr double kNearby = 1e-6;  // [rad], over which gradients of angles are taken
 
 double StandardDeviation(const ArmAngle& angle, const Quaterniond& q_AB, const Matrix3d& P_B) {
   Vector3d gradient;
+  const double here = angle.of(q_AB);
   for (int axis = 0; axis < 3; ++axis) {
-    const Vector3d phi = kNearby * Vector3d::Unit(axis);
-    const double change = angle.of(q_AB * Exp<double>(phi)) - angle.of(q_AB * Exp<double>(-phi));
-    gradient[axis] = std::remainder(change, 2 * std::numbers::pi) / (2 * kNearby);
+    const double there = angle.of(q_AB * Exp<double>(kNearby * Vector3d::Unit(axis)));
+    gradient[axis] = std::remainder(there - here, 2 * std::numbers::pi) / kNearby;
   }
   return std::sqrt(std::max(0.0, gradient.dot(P_B * gradient)));
 }

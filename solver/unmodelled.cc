@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace brachium {
@@ -19,6 +20,12 @@ constexpr double kLeastQuiver = 1e-4;        // [m]
 
 // Draws and knots together give the trace to one or two percent.
 constexpr int kDrawnKnots = 15000;
+
+constexpr std::size_t kMostColumns = 3;  // of a block's Jacobian
+
+double SquaredNorm(const std::vector<double>& numbers) {
+  return std::inner_product(numbers.begin(), numbers.end(), numbers.begin(), 0.0);
+}
 
 using Vectors = std::vector<std::vector<double>>;
 
@@ -39,38 +46,38 @@ class Residuals {
 
   void Add(const Term& term, double& squares, double& redundancy) {
     Linearise(term);
-    squares += r_.squaredNorm();
+    squares += SquaredNorm(r_);
     double moved = 0.0;
-    for (const std::vector<double>& deviation : deviations_)
-      moved += Moved(term, deviation).squaredNorm();
+    for (const std::vector<double>& deviation : deviations_) moved += MovedSquared(term, deviation);
     redundancy += static_cast<double>(r_.size()) - moved / static_cast<double>(deviations_.size());
   }
 
  private:
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
   void Linearise(const Term& term) {
-    r_.resize(term.cost->num_residuals());
-    J_.resize(term.unknowns.size());
-    values_.clear();
-    pointers_.clear();
-    for (std::size_t i = 0; i < term.unknowns.size(); ++i) {
-      J_[i].resize(r_.size(), TangentSize(problem_.Describe(term.unknowns[i]).Size()));
-      values_.push_back(problem_.Value(state_, term.unknowns[i]));
-      pointers_.push_back(J_[i].data());
+    const auto rows = static_cast<std::size_t>(term.cost->num_residuals());
+    const std::size_t blocks = term.unknowns.size();
+    r_.resize(rows);
+    values_.resize(blocks);
+    pointers_.resize(blocks);
+    jacobians_.resize(rows * kMostColumns * blocks);
+    for (std::size_t i = 0; i < blocks; ++i) {
+      values_[i] = problem_.Value(state_, term.unknowns[i]);
+      pointers_[i] = &jacobians_[rows * kMostColumns * i];
     }
     term.cost->EvaluateTangent(values_.data(), r_.data(), pointers_.data());
   }
 
-  const Eigen::VectorXd& Moved(const Term& term, const std::vector<double>& deviation) {
-    moved_.setZero(r_.size());
+  // |J ξ|².
+  double MovedSquared(const Term& term, const std::vector<double>& deviation) {
+    moved_.assign(r_.size(), 0.0);
     for (std::size_t i = 0; i < term.unknowns.size(); ++i) {
       const auto& variable = plan_.variables()[U(plan_.IndexOf(term.unknowns[i]))];
+      const double *J = pointers_[i], *d = &deviation[U(variable.column)];
       if (variable.tangent == 0) continue;
-      moved_ += J_[i] *
-                Eigen::Map<const Eigen::VectorXd>(&deviation[U(variable.column)], variable.tangent);
+      for (double& moved : moved_)
+        for (int column = 0; column < variable.tangent; ++column) moved += *J++ * d[column];
     }
-    return moved_;
+    return SquaredNorm(moved_);
   }
 
   const ArmProblem& problem_;
@@ -79,8 +86,7 @@ class Residuals {
   Vectors deviations_;
   std::vector<const double*> values_;
   std::vector<double*> pointers_;
-  std::vector<Rows> J_;
-  Eigen::VectorXd r_, moved_;
+  std::vector<double> jacobians_, r_, moved_;
 };
 
 }  // namespace
@@ -94,14 +100,13 @@ double UnmodelledSums::Spread::Ratio() const {
   return (squares + kPriorResiduals) / (redundancy + kPriorResiduals);
 }
 
-void UnmodelledSums::Add(const ArmProblem& problem, State& state, int first_knot, int last_knot,
+void UnmodelledSums::Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
                          ChainWorkspace& workspace) {
   Residuals residuals(problem, state, workspace.plan, Draw(draws_, random_, workspace));
   const auto& terms = problem.terms();
-  auto term = std::lower_bound(terms.begin(), terms.end(), first_knot,
+  auto term = std::lower_bound(terms.begin(), terms.end(), start_knot,
                                [](const Term& other, int knot) { return other.first_knot < knot; });
-  for (; term != terms.end() && term->first_knot <= last_knot; ++term) {
-    if (term->last_knot > last_knot) continue;
+  for (; term != terms.end() && term->first_knot < end_knot; ++term) {
     const bool accelerates = term->kind == ResidualKind::kAccelerometer;
     if (!accelerates && term->kind != ResidualKind::kSegmentChain) continue;
     Spread& spread = (accelerates ? accelerations_ : quivers_)[U(term->sensor)];

@@ -20,9 +20,9 @@ class UnmodelledSums {
  public:
   explicit UnmodelledSums(const ArmProblem& problem);
 
-  // Takes the terms in between two knots, both included, at `state`, at which `workspace` made its
-  // last pass over them.
-  void Add(const ArmProblem& problem, State& state, int first_knot, int last_knot,
+  // Takes the terms whose first knot lies in [start_knot, end_knot) at `state`, at which `workspace`
+  // made its last pass over them.
+  void Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
            ChainWorkspace& workspace);
 
   // Of each sensor, by all terms that were taken.

@@ -121,10 +121,11 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     int end = std::max(KnotAt(problem, time + options.length), start + 1);
     if (end + 1 >= last) end = last;
     DeadReckon(problem, state, known, end);
+    solve.hand_on = options.only_a_start && end < last;
     const auto summary = Solve(problem, state, prior, start, end, solve, &workspace);
     report.iterations += summary.iterations;
-    if (options.unmodelled != nullptr)
-      options.unmodelled->Add(problem, state, start, end, workspace);
+    if (options.only_a_start && options.unmodelled != nullptr)
+      options.unmodelled->Add(problem, state, start, solve.hand_on ? end : end + 1, workspace);
     ++report.windows;
     known = end;
     if (progress)
@@ -132,9 +133,14 @@ WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions
     if (end == last) return report;
     HoldBias(problem, state,
              timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end)]) + 1);
-    const int next = std::max(KnotAt(problem, time + options.advance), start + 1);
-    prior = Elimination(problem, state, prior, start, next, workspace).Carry();
-    start = next;
+    if (options.only_a_start) {
+      prior = Elimination(workspace).Carry();
+      start = end;
+    } else {
+      const int next = std::max(KnotAt(problem, time + options.advance), start + 1);
+      prior = Elimination(problem, state, prior, start, next, workspace).Carry();
+      start = next;
+    }
   }
 }
 

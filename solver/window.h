@@ -12,11 +12,11 @@ namespace brachium {
 struct WindowOptions {
   double length = 5.0;   // [s]
   double advance = 2.5;  // from one window to the next [s]
-  // The whole trial is solved afterwards: geometry is held, windows are left where steps have become
-  // small.
+  // The whole trial is solved afterwards: geometry is held, windows do not overlap and are left where
+  // steps have become small.
   bool only_a_start = false;
   SolverKind solver = SolverKind::kChain;
-  UnmodelledSums* unmodelled = nullptr;  // takes what windows that do not overlap leave unexplained
+  UnmodelledSums* unmodelled = nullptr;  // takes what windows leave unexplained, if only_a_start
 };
 
 struct WindowReport {

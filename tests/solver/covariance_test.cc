@@ -70,6 +70,17 @@ TEST(Certainty, GrowsWithTheLengthOfATrial) {
             sd(brief, UnknownKind::kSensorPosition, 1));
 }
 
+TEST(DrawnSd, IsThatOfTheCovarianceToATenth) {
+  Solved solved(CutAt(8.0));
+  ChainWorkspace workspace(solved.problem);
+  workspace.Linearise(solved.problem, solved.state);
+  const int clock = solved.problem.Constant(UnknownKind::kClockOffset, 1);
+  const double sd =
+      AssessCertainty(solved.problem, solved.state, workspace).constant_sd.at(clock)[0];
+  EXPECT_NEAR(DrawnSd(workspace, clock) / sd, 1.0, 0.2);
+  EXPECT_EQ(DrawnSd(workspace, solved.problem.Constant(UnknownKind::kClockOffset, 0)), 0.0);
+}
+
 // Its last digits decide whether the pivot of the heading counts as lost: if not, as next to nothing.
 TEST(Certainty, NamesWhatTheInformationDoesNotDetermine) {
   const Observations observations = CutAt(4.0);

@@ -10,7 +10,7 @@
 namespace brachium {
 namespace {
 
-constexpr SolveOptions kToTheEnd{.most_iterations = 100};
+constexpr SolveOptions kToTheEnd{.most_iterations = 100, .step_in_sd = 1e-6};
 
 // The rest at the start and the first movements, dead reckoned.
 struct Stretch {
