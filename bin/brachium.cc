@@ -3,7 +3,6 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -22,51 +21,24 @@
 namespace brachium {
 namespace {
 
-struct Command {
-  std::string_view name;
-  int (*run)(CommandLine&);
-  const char* summary;
-};
-
-constexpr std::array kCommands = {
-    Command{"reconstruct", RunReconstruct, "estimates the arm's motion from a trial folder"},
-    Command{"evaluate", RunEvaluate, "compares an estimate with the trial's reference"},
-    Command{"compare", RunCompare, "runs several methods on several trials, side by side"},
-    Command{"calibrate", RunCalibrate,
-            "finds how sensors sit on their segments from labelled movements"},
-    Command{"export", RunExport, "writes an estimate in the files of OpenSim"},
-    Command{"import", RunImport, "makes a trial folder from the exports of makers' programs"},
-    Command{"inspect", RunInspect, "says what is in a trial folder and what is wrong with it"},
-    Command{"report", RunReport, "shows results as a page: charts, tables, the arm in space"},
-    Command{"simulate", RunSimulate, "writes a trial folder whose truth is known"},
-    Command{"sweep plan", RunSweepPlan, "lists the tasks of a parameter sweep over many trials"},
-    Command{"sweep run", RunSweepRun, "runs tasks of a sweep, all or a part"},
-    Command{"sweep status", RunSweepStatus, "says which tasks are done, failed, missing"},
-    Command{"sweep merge", RunSweepMerge, "puts the results together and chooses the best points"},
-    Command{"sweep submit", RunSweepSubmit, "hands a sweep to Slurm, or runs it here"},
-};
-
 std::string Overview() {
   std::string text =
-      "brachium reconstructs arm motion from body-worn inertial sensors.\n\n"
-      "usage: brachium COMMAND --flag=value ...\n\ncommands:\n";
-  for (const Command& command : kCommands)
+      std::string(kPurpose) + "\n\nusage: brachium COMMAND --flag=value ...\n\ncommands:\n";
+  for (const Command& command : Commands())
     text += "  " + std::string(command.name) + std::string(14 - command.name.size(), ' ') +
             command.summary + "\n";
   return text +
          "  help          shows this\n"
          "  version       shows the version\n\n"
          "brachium COMMAND --help describes the command and its flags.\n"
-         "Exit codes: 0 good, 1 wrong flag, 2 wrong input, 3 result not to be trusted, 4 "
-         "incomplete\n"
-         "sweep.\n";
+         "Exit codes: " +
+         kExitCodes + "\n";
 }
 
 bool AsksHelp(const std::vector<std::string>& words) {
   return std::find(words.begin(), words.end(), "--help") != words.end();
 }
 
-// "sweep plan" is one command in two words.
 void JoinSweep(std::string* name, std::vector<std::string>* words) {
   if (*name != "sweep" || words->empty() || words->front().starts_with("-")) return;
   *name += " " + words->front();
@@ -75,7 +47,7 @@ void JoinSweep(std::string* name, std::vector<std::string>* words) {
 
 int RunCommand(const std::string& name, const std::vector<std::string>& words) {
   std::vector<std::string_view> names;
-  for (const Command& command : kCommands) {
+  for (const Command& command : Commands()) {
     names.push_back(command.name);
     if (command.name != name) continue;
     CommandLine line(name, words);

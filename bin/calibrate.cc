@@ -1,4 +1,4 @@
-// brachium calibrate: how the sensors of a trial sit on their segments, from labelled movements.
+// brachium calibrate: how the sensors of a trial sit on their segments, from movements.
 #include <iostream>
 #include <map>
 #include <string>

@@ -142,7 +142,7 @@ int RunCompare(CommandLine& line) {
   MethodFlags method_flags("methods", methods);
   line.Add("Flags", flags);
   line.Add("Flags of the methods", method_flags);
-  if (ShowHelp(line, kHelp)) return kGood;
+  if (ShowHelp(line, kHelp, {MethodList()})) return kGood;
   line.Read();
   if (!flags.experiment.empty()) return RunExperimentOf(flags, line);
   RequireGiven(flags.trial, "trial");

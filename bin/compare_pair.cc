@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -103,6 +104,8 @@ ComparedPair RunPair(const PairTask& task) {
     throw;
   } catch (const InputError& error) {
     fail(Outcome::kUnreadable, error.what());
+  } catch (const std::bad_alloc&) {
+    fail(Outcome::kFailed, "there is not enough memory");
   } catch (const std::exception& error) {
     fail(Outcome::kFailed, error.what());
   }

@@ -98,6 +98,9 @@ void CommandLine::Register(const std::string& group, const char* name, FlagField
                            const char* help) {
   Flag& flag = flags_.emplace_back(Flag{name, help, group, field, {}});
   flag.default_value = flag.Value();
+}
+
+void CommandLine::RegisterWithGflags(Flag& flag) const {
   std::visit(
       [&](auto* current) {
         auto* default_value =
@@ -105,7 +108,7 @@ void CommandLine::Register(const std::string& group, const char* name, FlagField
         gflags::FlagRegisterer(flag.name.c_str(), flag.help.c_str(), command_.c_str(), current,
                                default_value);
       },
-      field);
+      flag.field);
 }
 
 std::string CommandLine::Peek(const std::string& name, const std::string& default_value) const {
@@ -123,9 +126,14 @@ std::string CommandLine::Peek(const std::string& name, const std::string& defaul
 }
 
 bool CommandLine::AsksForHelp() const {
-  return std::any_of(words_.begin(), words_.end(), [](const Word& word) {
-    return word.text == "--help" || word.text == "-help" || word.text == "-h";
-  });
+  return AsksForManual() || std::any_of(words_.begin(), words_.end(), [](const Word& word) {
+           return word.text == "--help" || word.text == "-help" || word.text == "-h";
+         });
+}
+
+bool CommandLine::AsksForManual() const {
+  return std::any_of(words_.begin(), words_.end(),
+                     [](const Word& word) { return word.text == kAskManual; });
 }
 
 std::string CommandLine::text() const {
@@ -147,6 +155,7 @@ const Flag* CommandLine::FindNegated(const std::string& name) const {
 }
 
 void CommandLine::Read() {
+  for (Flag& flag : flags_) RegisterWithGflags(flag);
   for (std::size_t word = 0; word < words_.size();) word = ReadFlag(word);
 }
 

@@ -36,6 +36,9 @@ struct Flag {
   FlagValue Value() const;
 };
 
+// Asks a command for its help as a part of the manual page.
+inline constexpr const char* kAskManual = "--help=man";
+
 // The words after `brachium COMMAND`. Flags are registered first, then read; the option structs
 // must live until the program ends, because gflags keeps pointers to their fields.
 class CommandLine {
@@ -55,10 +58,11 @@ class CommandLine {
   // What --name would be set to, before any flag is registered: a method brings flags of its own.
   std::string Peek(const std::string& name, const std::string& default_value) const;
 
-  // Whether --help or -h is among the words.
+  // Whether --help or -h is among the words, or kAskManual.
   bool AsksForHelp() const;
+  bool AsksForManual() const;
 
-  // Sets the registered fields. Throws UsageError for an unknown flag, naming its neighbours, for a
+  // Registers the flags with gflags and sets the fields. Throws UsageError for an unknown flag, naming its neighbours, for a
   // value that does not parse, and for a word that is no flag.
   void Read();
 
@@ -79,6 +83,7 @@ class CommandLine {
   void Expand(const std::vector<std::string>& words, int depth);
   void ExpandFile(const std::string& path, int depth);
   void Register(const std::string& group, const char* name, FlagField field, const char* help);
+  void RegisterWithGflags(Flag& flag) const;
   const Flag* Find(const std::string& name) const;
   const Flag* FindNegated(const std::string& name) const;
   std::size_t ReadFlag(std::size_t word);

@@ -3,6 +3,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "bin/roff.h"
+
 namespace brachium {
 namespace {
 
@@ -13,11 +15,47 @@ std::string Kind(const Flag& flag) {
   return kKinds[flag.field.index()];
 }
 
-std::string Describe(const Flag& flag) {
+HelpItem Describe(const Flag& flag) {
   const std::string value = Text(flag.default_value);
-  const std::string heading =
-      "  --" + flag.name + "  (" + Kind(flag) + (value.empty() ? "" : ", default " + value) + ")\n";
-  return heading + Wrap(flag.help, 6);
+  const std::string standard = value.empty() ? "" : ", default " + value;
+  return {"--" + flag.name + "  (" + Kind(flag) + standard + ")", flag.help};
+}
+
+std::vector<HelpSection> SectionsOf(const CommandLine& line) {
+  std::vector<HelpSection> sections;
+  for (const Flag& flag : line.flags()) {
+    if (sections.empty() || sections.back().heading != flag.group)
+      sections.push_back({flag.group, {}});
+    sections.back().items.push_back(Describe(flag));
+  }
+  sections.push_back(
+      {"Any of",
+       {{"--flagfile=FILE", "Reads flags from a file, one a line."}, {"--help", "Shows this."}}});
+  return sections;
+}
+
+std::string HelpText(const std::string& usage, const std::string& description,
+                     const std::vector<HelpSection>& sections) {
+  std::string text = "usage: " + usage + "\n\n" + Wrap(description, 0);
+  for (const HelpSection& section : sections) {
+    text += "\n" + section.heading + ":\n";
+    for (const HelpItem& item : section.items) text += "  " + item.name + "\n" + Wrap(item.text, 6);
+  }
+  return text;
+}
+
+std::string ManualText(const std::string& name, const std::string& usage,
+                       const std::string& description, const std::vector<HelpSection>& sections) {
+  std::string text =
+      ".SH " + RoffQuoted(name) + ".B " + RoffQuoted(usage) + ".PP\n" + RoffLine(description);
+  for (const HelpSection& section : sections) {
+    text += ".SS " + RoffQuoted(section.heading);
+    for (const HelpItem& item : section.items) {
+      const std::string term = ".B " + RoffQuoted(item.name);
+      text += item.text.empty() ? ".br\n" + term : ".TP\n" + term + RoffLine(item.text);
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -35,23 +73,16 @@ std::string Wrap(const std::string& text, std::size_t indent) {
   return line.empty() ? wrapped : wrapped + std::string(indent, ' ') + line + "\n";
 }
 
-std::string HelpText(const CommandLine& line, const CommandHelp& help) {
-  std::string text =
-      "usage: brachium " + line.command() + " " + help.usage + "\n\n" + Wrap(help.description, 0);
-  std::string group;
-  for (const Flag& flag : line.flags()) {
-    if (flag.group != group) text += "\n" + flag.group + ":\n";
-    group = flag.group;
-    text += Describe(flag);
-  }
-  return text +
-         "\nAny of:\n  --flagfile=FILE  reads flags from a file, one a line.\n"
-         "  --help           shows this.\n";
-}
-
-bool ShowHelp(const CommandLine& line, const CommandHelp& help) {
-  if (line.AsksForHelp()) std::cout << HelpText(line, help);
-  return line.AsksForHelp();
+bool ShowHelp(const CommandLine& line, const CommandHelp& help,
+              const std::vector<HelpSection>& lists) {
+  if (!line.AsksForHelp()) return false;
+  const std::string name = "brachium " + line.command();
+  const std::string usage = name + (help.usage.empty() ? "" : " " + help.usage);
+  std::vector<HelpSection> sections = SectionsOf(line);
+  sections.insert(sections.end(), lists.begin(), lists.end());
+  std::cout << (line.AsksForManual() ? ManualText(name, usage, help.description, sections)
+                                     : HelpText(usage, help.description, sections));
+  return true;
 }
 
 }  // namespace brachium

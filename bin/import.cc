@@ -45,12 +45,11 @@ const CommandHelp kHelp = {
     "averages, and all of it is said. What an export does not tell (lengths, mountings, start "
     "pose) is then to be filled in in trial.json."};
 
-std::string FormatList() {
-  std::string text = "\nFormats:\n";
+HelpSection FormatList() {
+  HelpSection list{"Formats", {}};
   for (const ExportFormat& format : ExportFormats())
-    text += "  " + std::string(format.name) + std::string(14 - format.name.size(), ' ') +
-            std::string(format.summary) + "\n";
-  return text;
+    list.items.push_back({std::string(format.name), std::string(format.summary) + "."});
+  return list;
 }
 
 const ExportFormat& FormatFrom(const std::string& name) {
@@ -113,10 +112,7 @@ void Print(const ImportedTrial& trial, const std::string& folder) {
 int RunImport(CommandLine& line) {
   ImportFlags flags;
   line.Add("Flags", flags);
-  if (ShowHelp(line, kHelp)) {
-    std::cout << FormatList();
-    return kGood;
-  }
+  if (ShowHelp(line, kHelp, {FormatList()})) return kGood;
   line.Read();
   RequireGiven(flags.format, "format");
   RequireGiven(flags.files, "files");

@@ -18,6 +18,12 @@ MethodOptions OptionsOf(const std::string& flag, const std::string& method) {
                    " (known: " + Listed(known) + ")");
 }
 
+HelpSection MethodList() {
+  HelpSection list{"Methods", {}};
+  for (const std::string& name : MethodNames()) list.items.push_back({name, ""});
+  return list;
+}
+
 std::vector<std::string> MethodsFrom(const std::string& flag, const std::string& list) {
   std::vector<std::string> methods;
   const auto add = [&](const std::string& name) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bin/flags.h"
+#include "bin/help.h"
 #include "bin/options_json.h"
 #include "solver/estimators.h"
 
@@ -15,6 +16,9 @@ namespace brachium {
 
 // Default options of a method. Throws UsageError when --FLAG names one that is not known.
 MethodOptions OptionsOf(const std::string& flag, const std::string& method);
+
+// The names of all methods, for a help text.
+HelpSection MethodList();
 
 // The methods that a comma-separated list of names and patterns ("luinge*") stands for, in the
 // order of the list, each once. Throws UsageError for what matches none.

@@ -68,7 +68,7 @@ int RunReconstruct(CommandLine& line) {
   MethodOptions method = OptionsOf("method", line.Peek("method", flags.method));
   line.Add("Flags", flags);
   std::visit([&](auto& options) { line.Add("Flags of the method", options); }, method);
-  if (ShowHelp(line, kHelp)) return kGood;
+  if (ShowHelp(line, kHelp, {MethodList()})) return kGood;
   line.Read();
   RequireGiven(flags.trial, "trial");
   RequireGiven(flags.output, "output");

@@ -1,4 +1,4 @@
-# Sourced by bin/demo and bin/test: installs what a Debian 12 machine lacks, then configures and builds.
+# Sourced by bin/demo, bin/test and bin/Dockerfile: installs what a Debian 12 machine lacks, then configures and builds.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -66,4 +66,13 @@ build() {
   [ -t 1 ] && quiet=()
   echo "Building $folder with $(nproc) jobs"
   cmake --build "$folder" --parallel "$(nproc)" --target "$@" "${quiet[@]}" </dev/null
+}
+
+# library_packages PROGRAM: the Debian packages that hold the shared libraries it loads; those that
+# alternatives choose belong to none and come along as dependencies.
+library_packages() {
+  local library
+  ldd "$1" | awk '$2 == "=>" { print $3 }' | while read -r library; do
+    dpkg-query -S "*$library" 2>/dev/null || true
+  done | cut -d: -f1 | sort -u
 }

@@ -33,11 +33,11 @@ const CommandHelp kHelp = {
     "as the reference, and truth.json holds all that was drawn. The folder says that it is "
     "simulated."};
 
-std::string ScenarioList() {
-  std::string text = "\nScenarios:\n";
+HelpSection ScenarioList() {
+  HelpSection list{"Scenarios", {}};
   for (const std::string& name : ScenarioNames())
-    text += "  " + name + "\n" + Wrap(std::string(ScenarioHelp(name)) + ".", 6);
-  return text;
+    list.items.push_back({name, std::string(ScenarioHelp(name)) + "."});
+  return list;
 }
 
 std::string TruthJson(const SimulatedTrial& simulated, const MovementFlags& movement,
@@ -77,10 +77,7 @@ int RunSimulate(CommandLine& line) {
   line.Add("Flags", place);
   line.Add("Movement", movement);
   line.Add("Errors of the sensors and of what trial.json states", errors);
-  if (ShowHelp(line, kHelp)) {
-    std::cout << ScenarioList();
-    return kGood;
-  }
+  if (ShowHelp(line, kHelp, {ScenarioList()})) return kGood;
   line.Read();
   RequireGiven(movement.scenario, "scenario");
   RequireGiven(place.output, "output");

@@ -140,7 +140,7 @@ int RunSweepPlan(CommandLine& line) {
   method_flags.Preset("covariance", false);  // enters no figure of a sweep
   line.Add("Flags", flags);
   line.Add("Flags of the methods", method_flags);
-  if (ShowHelp(line, kHelp)) return kGood;
+  if (ShowHelp(line, kHelp, {MethodList()})) return kGood;
   line.Read();
   RequireGiven(flags.trials, "trials");
   RequireGiven(flags.method, "method");

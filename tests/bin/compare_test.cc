@@ -196,6 +196,33 @@ TEST_F(Compare, ExitsWithThreeWhenAMemberIsNotToBeTrustedAndShowsTheOthers) {
   EXPECT_THAT(outcome.out, HasSubstr("singular"));
 }
 
+// The smoother with a knot at every sample takes twice the memory that it may have here, the
+// others a quarter.
+TEST_F(Compare, ExitsWithThreeWhenAMethodThrowsAndLeavesTheOthers) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer reserves more memory than may be had here";
+#endif
+  const Outcome outcome =
+      Run({"compare", "--trial=" + Trial("one", {"--duration_s=120"}), "--threads=1",
+           "--methods=smoother,gyroscope,luinge", "--knot_spacing_s=0", "--window_s=1000",
+           "--window_advance_s=1000", "--output=" + Path("comparison")},
+          "export OPENBLAS_NUM_THREADS=1; ulimit -v 250000");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("smoother on one: there is not enough memory"));
+  const json pairs = Json("comparison.json")["pairs"];
+  EXPECT_EQ(pairs[0]["outcome"], "failed");
+  EXPECT_EQ(pairs[0]["reason"], "there is not enough memory");
+  EXPECT_FALSE(pairs[0].contains("evaluation"));
+  EXPECT_FALSE(fs::exists(Path("comparison/estimates/one/smoother")));
+  for (const std::size_t i : {1u, 2u}) {
+    const std::string method = pairs[i]["method"];
+    EXPECT_EQ(pairs[i]["outcome"], "done") << method;
+    EXPECT_EQ(
+        pairs[i]["evaluation"],
+        json::parse(ReadText(Path("comparison/estimates/one/" + method + "/evaluation.json"))));
+  }
+}
+
 TEST_F(Compare, TakesPatternsAndNamesFoldersApart) {
   fs::create_directories(Path("b"));
   Trial("one");

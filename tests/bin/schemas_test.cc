@@ -41,6 +41,7 @@ class Schemas : public ProgramTest {
 TEST_F(Schemas, DescribeTrialsEstimatesAndEvaluations) {
   const std::string trial = Simulate({"--tell_rests", "--tell_end_pose"});
   ExpectValid("trial", "trial/trial.json");
+  ExpectValid("truth", "trial/truth.json");
   ASSERT_EQ(Reconstruct(trial, Path("estimate")).exit_code, 0);
   RunWell({"evaluate", "--trial=" + trial, "--estimate=" + Path("estimate")});
   ExpectValid("summary", "estimate/summary.json");
@@ -69,6 +70,47 @@ TEST_F(Schemas, DescribeComparisonsWithMembersThatRefuse) {
     ExpectValid("evaluation", "comparison/estimates/trial/" + method + "/evaluation.json");
     ExpectValid("summary", "comparison/estimates/trial/" + method + "/summary.json");
   }
+}
+
+TEST_F(Schemas, DescribeComparisonsOfTrialsThatCannotBeRead) {
+  const std::string trial = Simulate();
+  std::filesystem::remove(trial + "/forearm.csv");
+  const Outcome outcome =
+      Run({"compare", "--trial=" + trial, "--methods=gyroscope", "--output=" + Path("comparison")});
+  ASSERT_EQ(outcome.exit_code, 2) << outcome.err;
+  ExpectValid("comparison", "comparison/comparison.json");
+  ExpectValid("timing", "comparison/timing.json");
+}
+
+TEST_F(Schemas, DescribeSweepsWhole) {
+  const std::string manifest = Path("sweep/manifest.jsonl");
+  RunWell({"sweep", "plan", "--trials=" + Simulate(), "--method=luinge,smoother",
+           "--vary=luinge_adduction_sigma_deg=1,10;solver=chain", "--output=" + Path("sweep")});
+  ExpectValid("manifest", "sweep/manifest.jsonl");
+  RunWell({"sweep", "run", "--manifest=" + manifest, "--shard=0/3"});
+  RunWell({"sweep", "merge", "--manifest=" + manifest, "--partial"});
+  ExpectValid("sweep", "sweep/sweep.json");
+  RunWell({"sweep", "run", "--manifest=" + manifest});
+  RunWell({"sweep", "merge", "--manifest=" + manifest});
+  ExpectValid("sweep", "sweep/sweep.json");
+  ExpectValid("timing", "sweep/timing.json");
+  for (const char* task : {"000000", "000001", "000002"})
+    ExpectValid("result", std::string("sweep/results/000/") + task + ".json");
+  for (const auto& entry : std::filesystem::directory_iterator(Path("sweep/timing")))
+    ExpectValid("timing", "sweep/timing/" + entry.path().filename().string());
+}
+
+TEST_F(Schemas, DescribeSweepsOfTrialsThatAMethodRefuses) {
+  const std::string trial = Simulate(), manifest = Path("sweep/manifest.jsonl");
+  json description = json::parse(ReadText(trial + "/trial.json"));
+  description["arm"]["elbow"] = {{"constraint", "none"}};
+  Write("trial/trial.json", description.dump());
+  RunWell({"sweep", "plan", "--trials=" + trial, "--method=luinge",
+           "--vary=luinge_adduction_sigma_deg=1,10", "--output=" + Path("sweep")});
+  RunWell({"sweep", "run", "--manifest=" + manifest});
+  RunWell({"sweep", "merge", "--manifest=" + manifest});
+  ExpectValid("result", "sweep/results/000/000000.json");
+  ExpectValid("sweep", "sweep/sweep.json");
 }
 
 TEST_F(Schemas, DescribeCalibratedTrials) {

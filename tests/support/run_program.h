@@ -49,8 +49,9 @@ class ProgramTest : public testing::Test {
     std::ofstream(Path(name), std::ios::binary) << text;
   }
 
-  Outcome Run(const std::vector<std::string>& words) const {
-    std::string command = Quoted(BRACHIUM_PROGRAM);
+  // `before` is a command of the shell, such as one that sets a limit.
+  Outcome Run(const std::vector<std::string>& words, const std::string& before = ":") const {
+    std::string command = before + "; " + Quoted(BRACHIUM_PROGRAM);
     for (const std::string& word : words) command.append(" ").append(Quoted(word));
     command += " </dev/null >" + Quoted(folder_.File("out")) + " 2>" + Quoted(folder_.File("err"));
     const int status = std::system(command.c_str());

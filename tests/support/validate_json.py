@@ -1,4 +1,5 @@
-"""validate_json.py SCHEMA FILE...: says where a file breaks the schema. Exit 77: no jsonschema here."""
+"""validate_json.py SCHEMA FILE...: says where a file breaks the schema, of a .jsonl file where a line
+does. Exit 77: no jsonschema here."""
 
 import json
 import sys
@@ -14,12 +15,20 @@ def load(path):
         return json.load(file)
 
 
+def documents(path):
+    if not path.endswith(".jsonl"):
+        return [load(path)]
+    with open(path, encoding="utf-8") as file:
+        return [json.loads(line) for line in file]
+
+
 schema = load(sys.argv[1])
 validator = jsonschema.validators.validator_for(schema)
 validator.check_schema(schema)
 failed = False
 for path in sys.argv[2:]:
-    for error in validator(schema).iter_errors(load(path)):
-        print(f"{path}: {error.json_path}: {error.message[:300]}")
-        failed = True
+    for document in documents(path):
+        for error in validator(schema).iter_errors(document):
+            print(f"{path}: {error.json_path}: {error.message[:300]}")
+            failed = True
 sys.exit(1 if failed else 0)
