@@ -74,6 +74,16 @@ TEST(TrialFolder, ListsItsInputsWithTheirChecksums) {
   EXPECT_EQ(folder.inputs[0].sha256.size(), 64u);
 }
 
+TEST(TrialFolder, NamesTheReferenceWithoutParsingItWhereOnlyRecordingsAreAskedFor) {
+  TrialOnDisk disk;
+  const TrialFolder all = ReadTrial(disk.path());
+  const TrialFolder recordings = ReadTrial(disk.path(), TrialParts::kRecordings);
+  EXPECT_TRUE(all.trial.reference.has_value());
+  EXPECT_FALSE(recordings.trial.reference.has_value());
+  ASSERT_EQ(recordings.inputs.size(), all.inputs.size());
+  EXPECT_EQ(recordings.inputs.back().sha256, all.inputs.back().sha256);
+}
+
 TEST(TrialFolder, LeavesARecordingWithoutMountingUncalibrated) {
   const TrialOnDisk disk([](ordered_json& json) { json["recordings"][1].erase("mounting"); });
   const auto recordings = ReadTrial(disk.path()).trial.observations.recordings;

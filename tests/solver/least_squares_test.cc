@@ -95,6 +95,33 @@ TEST(LeastSquares, HoldsTheGeometryWhenAskedTo) {
   }
 }
 
+// Nothing is eliminated anew: what a solve's own last pass leaves is as good.
+TEST(LeastSquares, HandsOnWhatAnEliminationAtItsMinimumSays) {
+  Stretch stretch;
+  ChainWorkspace workspace(stretch.problem);
+  SolveOptions options = kToTheEnd;
+  options.hand_on = true;
+  Solve(stretch.problem, stretch.state, {}, 0, 30, options, &workspace);
+  const CarriedPrior own = Elimination(workspace).Carry();
+  const CarriedPrior anew =
+      Elimination(stretch.problem, stretch.state, {}, 0, 30, workspace).Carry();
+  EXPECT_EQ(own.unknowns, anew.unknowns);
+  for (const int sensor : {0, 1}) {
+    State moved = stretch.state;
+    moved.Attitude(30, sensor)[0] += 1e-2;
+    const auto cost = [&](const CarriedPrior& prior) {
+      std::vector<const double*> values;
+      for (const int unknown : prior.unknowns)
+        values.push_back(stretch.problem.Value(moved, unknown));
+      Eigen::VectorXd r(prior.cost->num_residuals());
+      prior.cost->Evaluate(values.data(), r.data(), nullptr);
+      return r.squaredNorm();
+    };
+    EXPECT_GT(cost(anew), 1.0);
+    EXPECT_NEAR(cost(own) / cost(anew), 1.0, 1e-3);
+  }
+}
+
 TEST(LeastSquares, MinimisesACarriedPriorAlongWithTheTerms) {
   Stretch stretch;
   Solve(stretch.problem, stretch.state, {}, 0, stretch.Last(), kToTheEnd);
