@@ -52,7 +52,7 @@ class FrontPlan {
     const TangentCost* cost;
     const ceres::LossFunction* loss;  // or null
     std::size_t first_block;
-    int blocks, columns;
+    int blocks;
   };
   struct Member {
     int variable;  // index
@@ -66,6 +66,7 @@ class FrontPlan {
     int knot;
     int columns = 0, eliminated = 0;
     int first_column = 0;     // of the step: where its eliminated columns begin
+    int first_staying = 0;    // column: from here on all stand where the last front left them
     std::size_t storage = 0;  // where its factor lies: eliminated columns of Stride() numbers
     std::size_t first_term = 0, terms = 0;
     std::size_t first_member = 0, members = 0;

@@ -86,6 +86,21 @@ TEST(FrontPlan, TakesOverWhatTheLastFrontHandsOnWithItsOrderKept) {
   }
 }
 
+TEST(FrontPlan, LeavesInPlaceOnlyWhatStandsThereInTheLastFrontAlready) {
+  const Planned planned(kWhole);
+  int staying = 0;
+  for (const FrontPlan::Front& front : planned.plan.fronts()) {
+    EXPECT_GE(front.first_staying, front.eliminated);
+    if (front.first_staying == front.columns) continue;
+    ++staying;
+    EXPECT_EQ((&front - 1)->columns, front.columns);
+    for (const FrontPlan::Run& run : planned.plan.Runs(front))
+      EXPECT_TRUE(run.to < front.eliminated ||
+                  (run.to == run.from && run.to == front.first_staying));
+  }
+  EXPECT_GT(staying, 20);  // of 40 fronts: no longer so where bias nodes come and go
+}
+
 TEST(FrontPlan, PutsLastWhatLaterTermsTouchAndNothingElse) {
   const Planned planned({.end_knot = 10, .last_knot = 1000, .hand_on = true});
   std::set<int> later;
