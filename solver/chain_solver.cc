@@ -44,9 +44,9 @@ class Descent {
     if (!here_.IsFinite()) return Ended(false, "The start has no finite cost.");
     while (summary_.iterations < options_.most_iterations) {
       if (damping_ > kMostDamping) return Ended(false, "No step lowers the cost.");
-      const double foretold = sweep_.Step(plan_, step_);
-      if (damping_ <= kNoDamping && foretold <= options_.least_decrease * here_.cost)
+      if (damping_ <= kNoDamping && 0.5 * here_.length_2 <= options_.least_decrease * here_.cost)
         return Ended(true, "The cost hardly falls any more.");
+      const double foretold = sweep_.Step(plan_, step_);
       if (damping_ <= kNoDamping && IsSmall()) {
         values_.Set(step_, 1.0);
         here_.cost -= foretold;

@@ -18,8 +18,6 @@ bool IsGeometry(UnknownKind kind) {
          kind == UnknownKind::kSkin;
 }
 
-int FrontPlan::Front::Stride() const { return Padded(columns + 1); }
-
 FrontPlan::FrontPlan(const ArmProblem& problem)
     : last_knot_(U(problem.unknowns()), -1), variable_of_(U(problem.unknowns()), -1) {
   for (const Term& term : problem.terms())

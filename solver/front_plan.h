@@ -71,7 +71,7 @@ class FrontPlan {
     std::size_t first_term = 0, terms = 0;
     std::size_t first_member = 0, members = 0;
     std::size_t first_run = 0, runs = 0;
-    int Stride() const;  // columns and the gradient, padded
+    int Stride() const { return Padded(columns + 1); }  // columns and the gradient, padded
   };
 
   // `problem` must not change the unknowns of its terms while the plan is used.

@@ -20,7 +20,8 @@ class FrontSweep {
   struct Sums {
     double cost = 0.0;           // Σ ½ ρ(|r|²)
     double gradient_norm = 0.0;  // largest |∂cost/∂column|
-    double length_2 = 0.0;       // Σ |y|²: squared length of the step in the metric of H
+    double length_2 = 0.0;  // Σ |y|²: squared length of the step in the metric of H, twice by
+                            // how much the linearised cost falls with it
     bool IsFinite() const;
   };
 

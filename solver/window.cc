@@ -17,7 +17,7 @@ constexpr double kLongestSettling = 80.0;  // [s]
 
 constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 1e-3};
 constexpr SolveOptions kStartSolve{
-    .most_iterations = 20, .least_decrease = 0.01, .hold_geometry = true};
+    .most_iterations = 20, .least_decrease = 0.1, .hold_geometry = true};
 
 // Lever arms that may flip would let a wrong heading explain everything.
 constexpr SolveOptions kSettlingSolve{
