@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/escaped.h"
 #include "io/file_bytes.h"
 #include "io/plot/svg.h"
 #include "io/text.h"
@@ -54,14 +55,8 @@ std::string HtmlList(const std::string& heading, const std::vector<std::string>&
 std::string ScriptData(const std::string& id, const nlohmann::ordered_json& json) {
   const std::string text =
       json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  std::string html = "<script type=\"application/json\" id=\"" + id + "\">";
-  for (const char letter : text) {
-    if (letter == '<')
-      html += "\\u003c";
-    else
-      html += letter;
-  }
-  return html + "</script>\n";
+  return "<script type=\"application/json\" id=\"" + id + "\">" +
+         Escaped(text, {{'<', "\\u003c"}}) + "</script>\n";
 }
 
 std::string Base64(std::string_view bytes) {
