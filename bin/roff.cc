@@ -12,8 +12,12 @@ std::string EscapedRoff(const std::string& text) {
 
 }  // namespace
 
-std::string RoffLine(const std::string& text) { return "\\&" + EscapedRoff(text) + "\n"; }
+std::string RoffLine(const std::string& text) {
+  return std::string("\\&").append(EscapedRoff(text)).append("\n");
+}
 
-std::string RoffQuoted(const std::string& text) { return "\"" + EscapedRoff(text) + "\"\n"; }
+std::string RoffQuoted(const std::string& text) {
+  return std::string("\"").append(EscapedRoff(text)).append("\"\n");
+}
 
 }  // namespace brachium

@@ -55,8 +55,9 @@ std::string HtmlList(const std::string& heading, const std::vector<std::string>&
 std::string ScriptData(const std::string& id, const nlohmann::ordered_json& json) {
   const std::string text =
       json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  return "<script type=\"application/json\" id=\"" + id + "\">" +
-         Escaped(text, {{'<', "\\u003c"}}) + "</script>\n";
+  std::string html = "<script type=\"application/json\" id=\"" + id + "\">";
+  html += Escaped(text, {{'<', "\\u003c"}});
+  return html + "</script>\n";
 }
 
 std::string Base64(std::string_view bytes) {
