@@ -50,14 +50,14 @@ bool OnSkin(const ArmProblem& problem) {
 
 // The linear effect of a clock is good for this much of it [s].
 constexpr double kClockReach = 0.005;
-constexpr int kMostSums = 4;
+constexpr int kMostSums = 4;  // for the weights, and again for the minimum
 
 // A clock whose sd is not smaller than this share of its prior's is not followed: in slow movement of
 // sensors that are wrong otherwise it would run away.
 constexpr double kInformed = 1.0 / 3;
 
-// Sums the samples again where a clock was found further than that from where it was taken to be, and
-// the movement tells it; says whether it did.
+// Sums the samples again where a clock was found beyond its reach from where it was taken to be, and
+// the movement tells it; says whether it did. `workspace` then holds a pass over the new sums.
 bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
   bool moved = false;
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
@@ -152,12 +152,12 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
   if (on_skin) problem.HoldMountings(state);
   if (progress) progress("whole trial", 0.9);
-  for (int i = 0; i < kMostSums && options_.whole_trial; ++i) {
+  for (int i = 0; options_.whole_trial; ++i) {
     SolveWholeTrial(
         problem, state,
         {.solver = solver, .most_iterations = 200, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
-    if (!FollowsClocks(problem, state, workspace)) break;
+    if (i == kMostSums || !FollowsClocks(problem, state, workspace)) break;
   }
   stage("whole trial");
 

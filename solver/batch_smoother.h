@@ -37,9 +37,11 @@ struct SmootherOptions {
     visit("window_advance_s", options.window_advance_s,
           "From the start of one window to the start of the next [s]; where the whole trial is "
           "solved, windows do not overlap.");
-    visit("weight_iterations", options.weight_iterations,
-          "How often the accelerometers' weights are estimated from the residuals and the trial "
-          "solved again. 0 keeps the first guess.");
+    visit(
+        "weight_iterations", options.weight_iterations,
+        "How often the accelerometers' weights are estimated from the residuals: first from those "
+        "of the windows, then of the whole trial, which is solved again each time. 0 keeps the "
+        "first guess; so do windows only.");
     visit("covariance", options.covariance,
           "Tell standard deviations, of the constants too, and what only its prior holds. Off: "
           "about a third of the time is saved.");

@@ -56,7 +56,7 @@ class Descent {
       if (TryMixed(foretold) || Try(foretold)) continue;
       values_.Restore();
       if (foretold < kRounding * here_.cost) {
-        sweep_.Run(plan_, kLeastDamping);
+        if (damping_ <= kNoDamping) sweep_.Run(plan_, kLeastDamping);
         return Ended(true, "The cost does not fall any further in double precision.");
       }
       Refuse();
@@ -123,8 +123,8 @@ class Descent {
     here_ = sweep_.Run(plan_, damping_);
   }
 
+  // The last pass is left as good as undamped, for those who ask it what is certain.
   SolveSummary Ended(bool converged, const char* message) {
-    if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
     if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
     summary_.final_cost = here_.cost;
     summary_.gradient_norm = here_.gradient_norm;

@@ -111,10 +111,25 @@ TEST(FrontPlan, PutsLastWhatLaterTermsTouchAndNothingElse) {
   bool is_later = false;
   for (const FrontPlan::Member& member : planned.plan.Members(last)) {
     const bool was_later = is_later;
-    is_later = later.contains(planned.plan.variables()[U(member.variable)].unknown);
+    const FrontPlan::Variable& variable = planned.plan.variables()[U(member.variable)];
+    is_later = later.contains(variable.unknown);
     EXPECT_GE(is_later, was_later);
+    EXPECT_EQ(U(variable.last_front) >= planned.plan.fronts().size(), is_later);
   }
   EXPECT_TRUE(is_later);
+}
+
+TEST(FrontPlan, LeavesOutTheStopsOfJointsWhenAskedTo) {
+  const auto terms = [](const TermRange& range) {
+    std::size_t sum = 0;
+    const Planned planned(range);
+    for (const FrontPlan::Front& front : planned.plan.fronts()) sum += front.terms;
+    return sum;
+  };
+  TermRange without = kWhole;
+  without.leave_stops = true;
+  const auto stops = static_cast<std::size_t>(Planned(kWhole).problem.size().knots);
+  EXPECT_EQ(terms(without) + stops, terms(kWhole));
 }
 
 TEST(FrontPlan, LeavesOutTermsThatReachBeyondTheLastKnot) {
