@@ -111,19 +111,6 @@ BRACHIUM_INLINE void AddRow(const double* W, int rows, int count, const FrontBlo
 
 BRACHIUM_INLINE double Sum(Lane lane) { return (lane[0] + lane[1]) + (lane[2] + lane[3]); }
 
-// Σ a_i b_i over [begin, end); end is a multiple of kLane.
-BRACHIUM_INLINE double Dot(const double* a, const double* b, int begin, int end) {
-  double sum = 0.0;
-  for (; begin < end && begin % kLane != 0; ++begin) sum += a[begin] * b[begin];
-  Lane even = {}, odd = {};
-  for (; begin + kLane < end; begin += 2 * kLane) {
-    even += At(a + begin) * At(b + begin);
-    odd += At(a + begin + kLane) * At(b + begin + kLane);
-  }
-  if (begin < end) even += At(a + begin) * At(b + begin);
-  return sum + Sum(even + odd);
-}
-
 // d_k = -(y_k + Σ_m>k L(m, k) d_m) / L(k, k) for kColumns columns from `begin` on, last column first.
 template <int kColumns, int kSides>
 BRACHIUM_INLINE void BackSubstituteColumns(const double* L, int stride, int begin,
@@ -169,13 +156,29 @@ BRACHIUM_INLINE void DivideByFactor(const double* L, int stride, int pivots, dou
   for (int k = pivots - 1; k >= 0; --k) {
     double* x = X + k * stride;
     const double* l = L + k * stride;
-    for (int m = k + 1; m < pivots; ++m) {
+    int m = k + 1;
+    for (; m + 4 <= pivots; m += 4) {
+      const double w[] = {-l[m], -l[m + 1], -l[m + 2], -l[m + 3]};
+      AddToOne<4>(X + m * stride, stride, w, 0, stride, x);
+    }
+    for (; m < pivots; ++m) {
       const double w = -l[m];
       AddToOne<1>(X + m * stride, stride, &w, 0, stride, x);
     }
     const double inverse = 1.0 / l[k];
     for (int row = 0; row < stride; row += kLane) At(x + row) *= inverse;
   }
+}
+
+// Of kColumns columns of X, the products with z.
+template <int kColumns>
+BRACHIUM_INLINE void Dots(const double* X, int stride, const double* z, double* dots) {
+  Lane sums[kColumns] = {};
+  for (int row = 0; row < stride; row += kLane) {
+    const Lane entry = At(z + row);
+    for (int c = 0; c < kColumns; ++c) sums[c] += At(X + c * stride + row) * entry;
+  }
+  for (int c = 0; c < kColumns; ++c) dots[c] = Sum(sums[c]);
 }
 
 // Columns [j, j + kWidth) of M times the same rows of X, added to the rows [begin, stride) of Z.
@@ -272,8 +275,11 @@ void ExtendCovariance(const double* L, int stride, int columns, int pivots, doub
   for (int k = 0; k < pivots; ++k) std::copy_n(X + k * stride, pivots, Z + k * stride);
   for (int k = 0; k < pivots; ++k) {
     double* column = S + k * stride;
-    for (int m = 0; m <= k; ++m)
-      column[m] = S[m * stride + k] = Dot(X + m * stride, Z + k * stride, 0, stride);
+    const double* z = Z + k * stride;
+    int m = 0;
+    for (; m + 4 <= k + 1; m += 4) Dots<4>(X + m * stride, stride, z, column + m);
+    for (; m <= k; ++m) Dots<1>(X + m * stride, stride, z, column + m);
+    for (m = 0; m < k; ++m) S[m * stride + k] = column[m];
     for (int row = pivots; row < columns; ++row)
       column[row] = S[row * stride + k] = -Z[k * stride + row];
     std::fill(column + columns, column + stride, 0.0);
