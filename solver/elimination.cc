@@ -85,6 +85,11 @@ CarriedPrior Elimination::Carry() const {
   return {std::make_unique<MarginalPrior>(sizes, point_vector, J, r), unknowns};
 }
 
+int Elimination::eliminated() const {
+  const FrontPlan::Front& last = plan_.fronts().back();
+  return plan_.columns() - (last.columns - last.eliminated);
+}
+
 void Elimination::VisitCovariances(const Visitor& visit) const {
   const std::size_t widest = U(plan_.widest_stride());
   std::vector<double> here(widest * widest), next(widest * widest), scratch(2 * widest * widest);

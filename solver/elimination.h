@@ -44,6 +44,9 @@ class Elimination {
   // What was said about the unknowns that stay, as a residual with its point as it was linearised.
   CarriedPrior Carry() const;
 
+  // Of the unknowns that do not stay, by their tangent size.
+  int eliminated() const;
+
   // A pivot block was not positive definite: the information does not determine its unknowns.
   std::vector<int> singular() const { return sweep_.Undetermined(plan_); }
 

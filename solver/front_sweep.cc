@@ -191,8 +191,16 @@ Eigen::VectorXd FrontSweep::KeptGradient(const FrontPlan& plan) const {
 }
 
 void ChainWorkspace::Linearise(const ArmProblem& problem, State& state) {
-  const int knots = problem.size().knots;
-  plan.Build(problem, state, {}, {.end_knot = knots, .last_knot = knots, .leave_stops = true});
+  Linearise(problem, state, {}, 0, problem.size().knots - 1);
+}
+
+void ChainWorkspace::Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                               int start_knot, int last_knot) {
+  plan.Build(problem, state, prior,
+             {.start_knot = start_knot,
+              .end_knot = last_knot + 1,
+              .last_knot = last_knot,
+              .leave_stops = true});
   sweep.Prepare(plan);
   sweep.Run(plan, 0.0);
 }

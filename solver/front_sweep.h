@@ -78,6 +78,10 @@ struct ChainWorkspace {
   // are left out: they hold from one side only.
   void Linearise(const ArmProblem& problem, State& state);
 
+  // The same over a window and the prior that it began with.
+  void Linearise(const ArmProblem& problem, State& state, const CarriedPrior& prior, int start_knot,
+                 int last_knot);
+
   FrontPlan plan;
   FrontSweep sweep;
 };
