@@ -42,23 +42,30 @@ void SampleSource::Forget(double before) {
 }
 
 bool HeldSamples::ReadOn(Recording& held) {
-  const std::size_t last = std::min(read_ + kAtOnce, recording_.size());
+  const std::size_t last = std::min(read_ + kAtOnce, recording_->size());
   if (last == read_) return false;
-  Append(recording_, read_, last, held);
+  Append(*recording_, read_, last, held);
   read_ = last;
   return true;
 }
 
 StreamedObservations Streamed(const Observations& observations) {
-  StreamedObservations streamed{observations, {}};
-  for (std::size_t i = 0; i < observations.recordings.size(); ++i) {
-    streamed.samples.push_back(std::make_unique<HeldSamples>(observations.recordings[i]));
-    Recording& told = streamed.told.recordings[i];
-    for (auto* vectors : {&told.gyr_S, &told.acc_S, &told.mag_S}) vectors->clear();
-    told.time.clear();
-    told.q_WS.clear();
-  }
+  StreamedObservations streamed{WithoutSamples(observations), {}};
+  for (const Recording& recording : observations.recordings)
+    streamed.samples.push_back(std::make_unique<HeldSamples>(
+        std::shared_ptr<const Recording>(std::shared_ptr<const Recording>(), &recording)));
   return streamed;
+}
+
+Observations WithoutSamples(Observations observations) {
+  for (Recording& recording : observations.recordings) {
+    Recording told;
+    told.segment = recording.segment;
+    told.noise = recording.noise;
+    told.mounting = recording.mounting;
+    recording = std::move(told);
+  }
+  return observations;
 }
 
 }  // namespace brachium

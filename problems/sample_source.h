@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "problems/observations.h"
@@ -35,17 +36,18 @@ class SampleSource {
   Recording held_;
 };
 
-// A recording that lies in memory and outlives this.
+// A recording that lies in memory.
 class HeldSamples final : public SampleSource {
  public:
-  explicit HeldSamples(const Recording& recording) : recording_(recording) {}
-  double First() const override { return recording_.time.front(); }
-  double Last() const override { return recording_.time.back(); }
+  explicit HeldSamples(std::shared_ptr<const Recording> recording)
+      : recording_(std::move(recording)) {}
+  double First() const override { return recording_->time.front(); }
+  double Last() const override { return recording_->time.back(); }
 
  private:
   bool ReadOn(Recording& held) override;
 
-  const Recording& recording_;
+  std::shared_ptr<const Recording> recording_;
   std::size_t read_ = 0;
 };
 
@@ -57,5 +59,7 @@ struct StreamedObservations {
 
 // `observations` must outlive the result.
 StreamedObservations Streamed(const Observations& observations);
+
+Observations WithoutSamples(Observations observations);
 
 }  // namespace brachium
