@@ -11,6 +11,11 @@ constexpr std::size_t kLongestLine = 1 << 24;  // [byte]; what is longer is no t
 
 bool EndsALine(char c) { return c == '\n' || c == '\r'; }
 
+bool EndsWithABlankLine(std::string_view text) {
+  const std::size_t last = text.find_last_not_of("\n\r");
+  return std::ranges::count(text.substr(last == text.npos ? 0 : last + 1), '\n') > 1;
+}
+
 }  // namespace
 
 CsvBlocks::CsvBlocks(const std::string& file, ColumnFilter wanted,
@@ -26,11 +31,13 @@ bool CsvBlocks::ReadPart() {
   return true;
 }
 
-// Up to the last line before one that is known not to be blank: blank lines are fine at the end of
-// the file alone.
+// Up to the last place with a line before and after it that is known not to be blank: blank lines
+// are fine at the end of the file alone.
 std::size_t CsvBlocks::WholeLines() const {
   for (std::size_t i = text_.size(); i-- > 1;)
-    if (text_[i - 1] == '\n' && !EndsALine(text_[i])) return i;
+    if (text_[i - 1] == '\n' && !EndsALine(text_[i]) &&
+        !EndsWithABlankLine(std::string_view(text_).substr(0, i)))
+      return i;
   return 0;
 }
 
