@@ -75,9 +75,11 @@ struct Unmodelled {
 class ArmProblem {
  public:
   // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
-  // `clock`: the segment whose sensor's clock is the true time; else the first one's.
+  // `clock`: the segment whose sensor's clock is the true time; else the first one's. A `stretch`
+  // that continues another has no terms about its first knot and the constants alone: a marginal
+  // prior speaks of them.
   ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing,
-             std::optional<Segment> clock = std::nullopt);
+             std::optional<Segment> clock = std::nullopt, Stretch stretch = {});
 
   const Timeline& timeline() const { return timeline_; }
   const StateSize& size() const { return size_; }
@@ -132,7 +134,8 @@ class ArmProblem {
   // and the biases in `state`. Terms and what was planned of them become invalid.
   void SumAgain(const State& state);
 
-  // A state with every constant at its prior mean, biases from the rests, knots not yet set.
+  // A state with every constant at its prior mean, biases from the rests, knots not yet set; biases
+  // and clocks of a stretch as it has them.
   State PriorState() const;
 
   // Of the segment itself, whose sensor may sit otherwise than told.
@@ -164,6 +167,8 @@ class ArmProblem {
 
  private:
   void SortTerms();
+  void DropStart();
+  Eigen::Vector3d BiasFromRests(int sensor) const;
   void AddConstants();
   void AddSensorConstants(int sensor);
   bool ShowsMounting(int sensor) const;
@@ -195,6 +200,7 @@ class ArmProblem {
 
   Observations observations_;
   ModelOptions options_;
+  Stretch stretch_;
   Timeline timeline_;
   StateSize size_;
   int clock_sensor_ = 0;
