@@ -83,8 +83,9 @@ std::string CalibrationText(const Calibration& calibration, const std::string& r
     for (const Figure& figure : segment.figures)
       figures.Add({name, figure.name, Fixed(figure.value, 2)});
   }
-  return table.Text() + "\n" + figures.Text() +
-         (calibration.notes.empty() ? "" : "\n" + Listing("Notes:", calibration.notes));
+  std::string text = table.Text() + "\n" + figures.Text();
+  if (!calibration.notes.empty()) text.append("\n").append(Listing("Notes:", calibration.notes));
+  return text;
 }
 
 void RequireFaultless(const Calibration& calibration, const std::string& trial) {

@@ -244,8 +244,9 @@ std::vector<std::string> Routines(bool quick) {
 
 ExperimentPlan PlanLuinge2007(bool quick) {
   ExperimentPlan plan;
-  ExperimentTrial calibration{
-      .name = kCalibrationTrial, .movement = {}, .errors = HonestErrors(MtxNoise())};
+  ExperimentTrial calibration;
+  calibration.name = kCalibrationTrial;
+  calibration.errors = HonestErrors(MtxNoise());
   calibration.movement.name = "calibration";
   calibration.movement.duration = UsualDuration(calibration.movement);
   calibration.errors.tell_mountings = false;
