@@ -94,7 +94,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   intervals_.reserve(U(timeline_.Intervals() * sensors));
   for (int knot = 0; knot < timeline_.Intervals(); ++knot)
     for (int sensor = 0; sensor < sensors; ++sensor) {
-      intervals_.push_back(SumInterval(prior, knot, sensor));
+      intervals_.push_back(SumInterval(prior, knot, sensor, stretch_.ClockOffset(U(sensor))));
       AddGyroscope(knot, sensor);
       AddAccelerometer(knot, sensor);
     }
@@ -115,16 +115,17 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   SortTerms();
 }
 
-Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor) const {
+Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor,
+                                      double clock_offset) const {
   const double start = timeline_.knots[U(knot)], end = timeline_.knots[U(knot) + 1];
   const Eigen::Map<const Vector3d> bias(state.GyroBias(timeline_.NodeBefore(start), sensor));
-  return Samples(sensor).Sum(start, end, bias, *state.Constant(UnknownKind::kClockOffset, sensor));
+  return Samples(sensor).Sum(start, end, bias, clock_offset);
 }
 
-void ArmProblem::SumAgain(const State& state) {
+void ArmProblem::SumAgain(const State& state, const std::vector<double>& clock_offsets) {
   for (int knot = 0; knot < timeline_.Intervals(); ++knot)
     for (int sensor = 0; sensor < size_.sensors; ++sensor)
-      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor);
+      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor, clock_offsets[U(sensor)]);
   for (Term& term : terms_) {
     if (term.kind == ResidualKind::kGyroscope)
       term.cost = MakeGyroscope(term.first_knot, term.sensor);

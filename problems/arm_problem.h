@@ -130,9 +130,10 @@ class ArmProblem {
   const Observations& observations() const { return observations_; }
   const ModelOptions& options() const { return options_; }
 
-  // Takes the clocks to be as in `state`: moves rests by them, and sums all samples again about them
-  // and the biases in `state`. Terms and what was planned of them become invalid.
-  void SumAgain(const State& state);
+  // Takes the clocks, by sensor, to be off by `clock_offsets` [s]: moves rests by them, and sums all
+  // samples again about them and the biases in `state`. Terms and what was planned of them become
+  // invalid.
+  void SumAgain(const State& state, const std::vector<double>& clock_offsets);
 
   // A state with every constant at its prior mean, biases from the rests, knots not yet set; biases
   // and clocks of a stretch as it has them.
@@ -175,7 +176,7 @@ class ArmProblem {
   template <int kSize>
   void AddConstant(UnknownKind kind, int sensor, const Eigen::Matrix<double, kSize, 1>& mean,
                    const Eigen::Matrix<double, kSize, 1>& sigma);
-  Preintegrated SumInterval(const State& state, int knot, int sensor) const;
+  Preintegrated SumInterval(const State& state, int knot, int sensor, double clock_offset) const;
   void AddGyroscope(int knot, int sensor);
   void AddAccelerometer(int knot, int sensor);
   void AddChain(int knot, int sensor);

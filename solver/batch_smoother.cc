@@ -1,8 +1,8 @@
 #include "solver/batch_smoother.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "solver/clocks.h"
 #include "solver/covariance.h"
 #include "solver/diagnosis.h"
 #include "solver/least_squares.h"
@@ -50,26 +50,11 @@ bool OnSkin(const ArmProblem& problem) {
                      [](const Unmodelled& left) { return left.acceleration > kOnSkin; });
 }
 
-// The linear effect of a clock is good for this much of it [s].
-constexpr double kClockReach = 0.005;
-constexpr int kMostSums = 4;
-
-// A clock whose sd is not smaller than this share of its prior's is not followed: in slow movement of
-// sensors that are wrong otherwise it would run away.
-constexpr double kInformed = 1.0 / 3;
-
-// Sums the samples again where a clock was found further than that from where it was taken to be, and
-// the movement tells it; says whether it did.
+// Sums the samples again where clocks were found elsewhere; says whether it did.
 bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
-  bool moved = false;
-  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-    const double offset = *state.Constant(UnknownKind::kClockOffset, sensor);
-    if (std::abs(offset - problem.Interval(0, sensor).clock_offset) <= kClockReach) continue;
-    const double sd = DrawnSd(workspace, problem.Constant(UnknownKind::kClockOffset, sensor));
-    moved = moved || sd < kInformed * problem.options().clock_offset_sigma_s;
-  }
-  if (!moved) return false;
-  problem.SumAgain(state);
+  const ClocksFound clocks = FindClocks(problem, state, workspace);
+  if (!clocks.far) return false;
+  problem.SumAgain(state, clocks.offsets);
   workspace.plan = FrontPlan(problem);
   workspace.Linearise(problem, state);
   return true;

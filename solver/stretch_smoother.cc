@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "solver/clocks.h"
 #include "solver/covariance.h"
 #include "solver/least_squares.h"
 #include "solver/stage_clock.h"
@@ -26,10 +27,6 @@ constexpr double kMargin = 1.0;    // of samples about a stretch [s]: for clocks
 constexpr double kAtOnce = 600.0;  // of samples that no stretch covers [s]
 constexpr std::size_t kPiece = 20000;  // samples that leave together, at most
 
-// The linear effect of a clock is good for this much of it [s].
-constexpr double kClockReach = 0.005;
-constexpr int kMostSums = 4;
-
 class StretchSmoother {
  public:
   StretchSmoother(StreamedObservations& trial, const SmootherOptions& options,
@@ -47,7 +44,6 @@ class StretchSmoother {
   void SolveStretch();
   bool Solve(const Observations& cut, double end);
   void SolveWindows(Part& part);
-  bool FollowsClocks(const Part& part);
   void Commit(Part& part);
   void Emit(Part& part, const std::vector<double>& times);
   void ReadTimesBefore();
@@ -86,6 +82,7 @@ struct StretchSmoother::Part {
   Certainty certainty;  // by the last window
   bool singular = false;
   double unknowns = 0.0;
+  ClocksFound clocks;
 };
 
 StretchSmoother::StretchSmoother(StreamedObservations& trial, const SmootherOptions& options,
@@ -180,9 +177,8 @@ bool StretchSmoother::Solve(const Observations& cut, double end) {
     if (part.stop == 0) return false;
     part.problem.HoldMountings(part.state);
     SolveWindows(part);
-    if (sums > 1 && FollowsClocks(part)) continue;
-    Commit(part);
-    return true;
+    if (sums == 1 || !part.clocks.far) return Commit(part), true;
+    clocks_ = part.clocks.offsets;
   }
 }
 
@@ -216,21 +212,9 @@ void StretchSmoother::SolveWindows(Part& part) {
     solve();
     break;
   }
+  part.clocks = FindClocks(part.problem, part.state, windows.workspace());
   part.unknowns = windows.left_behind();
   if (part.is_last) part.unknowns += windows.workspace().plan.columns();
-}
-
-// Whether the stretch is to be solved again about other clocks.
-bool StretchSmoother::FollowsClocks(const Part& part) {
-  std::vector<double> found;
-  double moved = 0.0;
-  for (int sensor = 0; sensor < part.problem.size().sensors; ++sensor) {
-    found.push_back(*part.state.Constant(UnknownKind::kClockOffset, sensor));
-    moved = std::max(moved, std::abs(found.back() - ClockOf(U(sensor))));
-  }
-  if (moved <= kClockReach) return false;
-  clocks_ = found;
-  return true;
 }
 
 void StretchSmoother::Commit(Part& part) {
@@ -255,9 +239,7 @@ void StretchSmoother::Commit(Part& part) {
   LetClocksDrift(*part.handover, kClockDrift * (end - start_));
   handover_ = std::move(part.handover);
   start_ = handover_->time;
-  clocks_.clear();
-  for (int sensor = 0; sensor < part.problem.size().sensors; ++sensor)
-    clocks_.push_back(handover_->Of(UnknownKind::kClockOffset, sensor)[0]);
+  clocks_ = part.clocks.offsets;
 }
 
 void StretchSmoother::Emit(Part& part, const std::vector<double>& times) {
