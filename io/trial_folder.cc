@@ -213,7 +213,7 @@ class Reader {
   void ReadReference(const JsonNode& node, const Interval& common) {
     const ReferenceEntry entry = ParseReferenceEntry(node, &result_);
     const std::string file = InFolder(FileOf(node));
-    if (samples_ != nullptr) {
+    if (parts_ == TrialParts::kRecordings) {
       Sha256Sum sum;
       FileParts(file).ForEach([&](std::string_view part) { sum.Add(part); });
       result_.inputs.push_back({entry.file, sum.Text()});
@@ -221,7 +221,6 @@ class Reader {
     }
     const FileBytes bytes(file);
     result_.inputs.push_back({entry.file, Sha256(bytes.text())});
-    if (parts_ == TrialParts::kRecordings) return;
     ReferenceFile read = ParseReference(bytes.text(), file, entry, recorded_, &result_);
     const double offset = entry.clock_offset.value_or(0.0);
     const std::vector<double>& time = read.reference.time;
@@ -258,7 +257,7 @@ TrialFolder ReadTrial(const std::string& folder, TrialParts parts) {
 StreamedTrial OpenTrial(const std::string& folder) {
   RequireFolder(folder);
   StreamedTrial trial;
-  Reader reader(folder);
+  Reader reader(folder, TrialParts::kRecordings);
   reader.StreamInto(&trial.samples);
   static_cast<TrialFolder&>(trial) = reader.Read();
   trial.trial.observations = WithoutSamples(std::move(trial.trial.observations));

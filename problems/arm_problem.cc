@@ -125,7 +125,8 @@ Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor,
 void ArmProblem::SumAgain(const State& state, const std::vector<double>& clock_offsets) {
   for (int knot = 0; knot < timeline_.Intervals(); ++knot)
     for (int sensor = 0; sensor < size_.sensors; ++sensor)
-      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor, clock_offsets[U(sensor)]);
+      intervals_[U(knot * size_.sensors + sensor)] =
+          SumInterval(state, knot, sensor, clock_offsets[U(sensor)]);
   for (Term& term : terms_) {
     if (term.kind == ResidualKind::kGyroscope)
       term.cost = MakeGyroscope(term.first_knot, term.sensor);

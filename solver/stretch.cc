@@ -68,10 +68,14 @@ Handover HandOver(const ArmProblem& problem, State& state, const CarriedPrior& p
   return handover;
 }
 
-void LetClocksDrift(Handover& handover, double sigma) {
-  for (std::size_t i = 0; i < handover.known.size(); ++i)
-    if (handover.known[i].unknown.kind == UnknownKind::kClockOffset)
-      handover.prior->Loosen(i, sigma);
+void LetClocksDrift(Handover& handover, const std::vector<double>& steps, double sigma) {
+  for (std::size_t i = 0; i < handover.known.size(); ++i) {
+    Handover::Known& known = handover.known[i];
+    if (known.unknown.kind != UnknownKind::kClockOffset) continue;
+    const double step = steps[U(known.unknown.sensor)];
+    known.value[0] += step;
+    handover.prior->Step(i, step, sigma);
+  }
 }
 
 CarriedPrior TakeOver(const Handover& handover, const ArmProblem& problem, State& state) {

@@ -30,8 +30,8 @@ struct Handover {
 // `prior` about an inner `knot`, a bias node, and its neighbours in time; values from `state`.
 Handover HandOver(const ArmProblem& problem, State& state, const CarriedPrior& prior, int knot);
 
-// Clocks that are not the true time may have gone astray by this sd since the last handover [s].
-void LetClocksDrift(Handover& handover, double sigma);
+// Clocks that are not the true time go on by `steps`, by sensor, and may go astray by this sd [s].
+void LetClocksDrift(Handover& handover, const std::vector<double>& steps, double sigma);
 
 // Sets the first knot, the biases and the constants of a stretch that begins where the handover was
 // made; returns the prior about its unknowns.

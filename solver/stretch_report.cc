@@ -23,6 +23,7 @@ void StretchReport::Add(const SolvedStretch& stretch) {
     windows_.settling_span = stretch.windows.settling_span;
   }
   ++stretches_;
+  sums_ += stretch.sums;
   windows_.windows += stretch.windows.windows;
   windows_.unconverged += stretch.windows.unconverged;
   windows_.iterations += stretch.windows.iterations;
@@ -39,13 +40,16 @@ void StretchReport::Add(const SolvedStretch& stretch) {
   diagnostics.notes = FarFromTold(stretch.problem, stretch.state);
 }
 
-// A rest that goes on in the next stretch is one.
+// A rest that goes on in the next stretch is one. Rests are by their sensors' own clocks.
 void StretchReport::AddRests(const SolvedStretch& stretch) {
-  const auto& knots = stretch.problem.timeline().knots;
-  const double start = knots.front(), end = knots[static_cast<std::size_t>(stretch.stop)];
+  const ArmProblem& problem = stretch.problem;
+  const auto& knots = problem.timeline().knots;
   const bool is_first = stretches_ == 1.0;
   std::map<Segment, Rest> open;
-  for (Rest rest : DescribeRests(stretch.problem)) {
+  for (Rest rest : DescribeRests(problem)) {
+    const double behind = problem.Interval(0, problem.SensorOn(rest.segment)).clock_offset;
+    const double start = knots.front() - behind,
+                 end = knots[static_cast<std::size_t>(stretch.stop)] - behind;
     const bool goes_on = !stretch.is_last && rest.end > end;
     const bool began_before = !is_first && rest.start < start;
     if ((!is_first && rest.end <= start) || (!stretch.is_last && rest.start >= end)) continue;
@@ -103,6 +107,7 @@ Estimate StretchReport::Told() const {
   diagnostics.notes = Notes();
   diagnostics.figures = {{"knots", knots_},
                          {"stretches", stretches_},
+                         {"sums", sums_},
                          {"windows", static_cast<double>(windows_.windows)},
                          {"window_iterations", static_cast<double>(windows_.iterations)},
                          {"start_heading_span_s", windows_.settling_span},

@@ -21,6 +21,7 @@ struct SolvedStretch {
   const Certainty& certainty;  // by its last window
   bool singular = false;       // in any of them
   double unknowns = 0.0;       // before `stop`, by their tangent size
+  int sums = 1;                // how often its samples were summed
 };
 
 class StretchReport {
@@ -41,7 +42,7 @@ class StretchReport {
   ResidualSums residuals_;
   std::map<Segment, Rest> open_rests_;  // that reach the end of the last stretch
   WindowReport windows_;
-  double stretches_ = 0.0, knots_ = 0.0, unknowns_ = 0.0;
+  double stretches_ = 0.0, sums_ = 0.0, knots_ = 0.0, unknowns_ = 0.0;
   double start_ = 0.0;                        // of the trial [s]
   double heading_known_ = 0.0, loose_ = 0.0;  // samples: with a relative heading, little held
   double loosest_ = 0.0;                      // its greatest sd [rad]

@@ -59,6 +59,7 @@ class StretchSmoother {
   std::size_t clock_ = 0;           // the sensor whose clock is the true time
   std::optional<Handover> handover_;
   std::vector<double> clocks_;  // about which samples are summed, by sensor; empty: zero [s]
+  ClockRates rates_;
   double start_ = 0.0, emitted_ = -HUGE_VAL;  // [s]
   std::vector<double> before_;                // samples that no stretch covers, not emitted yet [s]
   bool ended_ = false;
@@ -83,6 +84,7 @@ struct StretchSmoother::Part {
   bool singular = false;
   double unknowns = 0.0;
   ClocksFound clocks;
+  int sums = 1;
 };
 
 StretchSmoother::StretchSmoother(StreamedObservations& trial, const SmootherOptions& options,
@@ -159,7 +161,7 @@ void StretchSmoother::SolveStretch() {
 }
 
 bool StretchSmoother::Solve(const Observations& cut, double end) {
-  for (int sums = kMostSums;; --sums) {
+  for (int sums = 1;; ++sums) {
     Stretch stretch{.start = std::nullopt, .end = end, .clock_offset = clocks_, .gyro_bias = {}};
     if (handover_) {
       stretch.start = handover_->time;
@@ -177,7 +179,8 @@ bool StretchSmoother::Solve(const Observations& cut, double end) {
     if (part.stop == 0) return false;
     part.problem.HoldMountings(part.state);
     SolveWindows(part);
-    if (sums == 1 || !part.clocks.far) return Commit(part), true;
+    part.sums = sums;
+    if (sums == kMostSums || !part.clocks.far) return Commit(part), true;
     clocks_ = part.clocks.offsets;
   }
 }
@@ -233,13 +236,17 @@ void StretchSmoother::Commit(Part& part) {
                .windows = part.windows,
                .certainty = part.certainty,
                .singular = part.singular,
-               .unknowns = part.unknowns});
+               .unknowns = part.unknowns,
+               .sums = part.sums});
   ended_ = part.is_last;
   if (ended_) return;
-  LetClocksDrift(*part.handover, kClockDrift * (end - start_));
+  rates_.Add(end, part.clocks.offsets);
+  const std::vector<double> steps = rates_.Steps(end - start_);
+  LetClocksDrift(*part.handover, steps, kClockDrift * (end - start_));
   handover_ = std::move(part.handover);
   start_ = handover_->time;
   clocks_ = part.clocks.offsets;
+  for (std::size_t i = 0; i < clocks_.size(); ++i) clocks_[i] += steps[i];
 }
 
 void StretchSmoother::Emit(Part& part, const std::vector<double>& times) {

@@ -5,7 +5,8 @@
 // bias node, at which the next one begins; what its terms before that knot say goes on as a marginal
 // prior, so that the windows run through as if the trial were one. Every sample leaves when its
 // stretch is done, with the standard deviations that its last window knew: what came later is not in
-// them. Clocks are constants of a stretch, and drift from one to the next by a random step.
+// them. Clocks are constants of a stretch; from one to the next they go on at the rate at which they
+// went so far, and by a random step.
 #pragma once
 
 #include <functional>
@@ -19,8 +20,8 @@ namespace brachium {
 // once: an estimate without diagnostics.
 using EstimateSink = std::function<void(const Estimate& piece)>;
 
-// Sensors' crystals may be off by so much from one another, and no steadier: over a stretch the
-// clocks go astray by this share of its length, standard deviation.
+// Sensors' crystals may be off by so much from one another: over a stretch the clocks go astray by
+// this share of its length, standard deviation.
 inline constexpr double kClockDrift = 20e-6;
 
 // Requires observations that the smoother accepts. Returns what is told at the end, without motion:

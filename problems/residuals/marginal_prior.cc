@@ -29,7 +29,8 @@ std::unique_ptr<MarginalPrior> MarginalPrior::Copy() const {
 
 // The step s enters as [-J e; 1/sigma] s. The reflection turns that column onto its last row, which
 // then is all that knows of s.
-void MarginalPrior::Loosen(std::size_t block, double sigma) {
+void MarginalPrior::Step(std::size_t block, double mean, double sigma) {
+  point_[ambient_begin_[block]] += mean;
   const Eigen::VectorXd v = -jacobian_.col(tangent_begin_[block]);
   const double last = 1 / sigma + std::sqrt(v.squaredNorm() + 1 / (sigma * sigma));
   const double factor = 2 / (v.squaredNorm() + last * last);

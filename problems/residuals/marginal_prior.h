@@ -27,12 +27,12 @@ class MarginalPrior final : public TangentCost {
 
   std::unique_ptr<MarginalPrior> Copy() const;
 
-  // Lets an unknown of one number go a random step of this sd, so that all this speaks of where it
-  // came from: its covariance grows by the step's, every mean stays. The step is an unknown that is
-  // eliminated by one Householder reflection.
+  // Lets an unknown of one number go a random step of this mean and sd, so that all this speaks of
+  // where it came from: its covariance grows by the step's, and no other mean moves. The step's
+  // departure from its mean is an unknown that is eliminated by one Householder reflection.
   // Source: time update of the square-root information filter, Bierman, Factorization Methods for
   // Discrete Sequential Estimation (1977), chapter VI.
-  void Loosen(std::size_t block, double sigma);
+  void Step(std::size_t block, double mean, double sigma);
 
   bool Evaluate(const double* const* x, double* r, double** J) const override;
   void EvaluateTangent(const double* const* x, double* r, double* const* J) const override;

@@ -19,6 +19,19 @@ SmootherOptions InStretches() {
   return options;
 }
 
+double ForearmsClock(const Estimate& estimate) {
+  for (const Constant& constant : estimate.diagnostics.constants)
+    if (constant.name == "forearm.clock_offset_s") return constant.value[0];
+  ADD_FAILURE() << "no clock";
+  return NAN;
+}
+
+void Append(const Recording& from, double by, Recording& to) {
+  for (const double time : from.time) to.time.push_back(time + by);
+  to.gyr_S.insert(to.gyr_S.end(), from.gyr_S.begin(), from.gyr_S.end());
+  to.acc_S.insert(to.acc_S.end(), from.acc_S.begin(), from.acc_S.end());
+}
+
 const Trial& ThreeMinutes() {
   static const Trial trial = Brisk(180);
   return trial;
@@ -138,11 +151,36 @@ TEST(SmoothingInStretches, FollowsAClockThatDrifts) {
   constexpr double kFast = 1e-4, kMiddleOfLastStretch = 135.0;
   for (double& time : observations.recordings[1].time) time *= 1.0 + kFast;
   const Estimate estimate = Smoothed(observations, InStretches());
-  const auto clock = std::ranges::find(estimate.diagnostics.constants,
-                                       std::string("forearm.clock_offset_s"), &Constant::name);
-  ASSERT_NE(clock, estimate.diagnostics.constants.end());
-  EXPECT_NEAR(clock->value[0], -kFast * kMiddleOfLastStretch, 2e-3);
+  EXPECT_NEAR(ForearmsClock(estimate), -kFast * kMiddleOfLastStretch, 2e-3);
   EXPECT_LT(RelativeError(estimate, *ThreeMinutes().reference), 1.0 * kDegree);
+}
+
+TEST(SmoothingInStretches, SumsAboutAnotherClockOnlyWhereMovementTellsIt) {
+  const auto summed_again = [](const std::string& scenario, double offset) {
+    SimulationOptions errors;
+    errors.clock_offset = offset;
+    const Trial trial =
+        Simulate(MakeScenario({.name = scenario, .seed = 3, .duration = 45}), errors).trial;
+    const Estimate estimate = Smoothed(trial.observations, InStretches());
+    EXPECT_GT(std::abs(ForearmsClock(estimate)), 6e-3);
+    return FigureOf(estimate, "sums") - FigureOf(estimate, "stretches");
+  };
+  EXPECT_GT(summed_again("daily_brisk", 0.03), 0.0);
+  EXPECT_EQ(summed_again("daily_slow", 0.15), 0.0);
+}
+
+// Three minutes of movement, ten of the rest with which they began. What says nothing about a clock
+// must not leave it where it was.
+TEST(SmoothingInStretches, CarriesAClockOnAtItsRateWhereTheArmRests) {
+  Observations observations = ThreeMinutes().observations;
+  constexpr double kFast = 5e-5;
+  for (Recording& recording : observations.recordings) {
+    const Recording rest = Cut(recording, 0.0, 2.5);
+    while (recording.time.back() < 780.0)
+      Append(rest, recording.time.back() + 0.01 - rest.time.front(), recording);
+  }
+  for (double& time : observations.recordings[1].time) time *= 1.0 + kFast;
+  EXPECT_NEAR(ForearmsClock(Smoothed(observations, InStretches())) / (-kFast * 750.0), 1.0, 0.4);
 }
 
 TEST(SmoothingInStretches, TellsStandardDeviationsThatHold) {
@@ -160,12 +198,9 @@ TEST(SmoothingInStretches, TellsStandardDeviationsThatHold) {
 TEST(SmoothingInStretches, BridgesAGapLongerThanAStretch) {
   Observations observations = ThreeMinutes().observations;
   for (Recording& recording : observations.recordings) {
-    Recording after = Cut(recording, 100.0, 180.0);
-    for (double& time : after.time) time += 200.0;
+    const Recording after = Cut(recording, 100.0, 180.0);
     recording = Cut(recording, 0.0, 99.0);
-    recording.time.insert(recording.time.end(), after.time.begin(), after.time.end());
-    recording.gyr_S.insert(recording.gyr_S.end(), after.gyr_S.begin(), after.gyr_S.end());
-    recording.acc_S.insert(recording.acc_S.end(), after.acc_S.begin(), after.acc_S.end());
+    Append(after, 200.0, recording);
   }
   const Estimate estimate = Smoothed(observations, InStretches());
   EXPECT_EQ(estimate.time, observations.recordings[0].time);

@@ -23,8 +23,10 @@ class Stretches : public testing::Test {
   static std::vector<double> AttitudeSds(const ArmProblem& problem, State& state,
                                          const CarriedPrior& prior, int start) {
     ChainWorkspace workspace(problem);
-    workspace.Linearise(problem, state, prior, start, problem.size().knots - 1);
-    std::vector<double> sds(static_cast<std::size_t>(problem.size().knots - start));
+    const int knots = problem.size().knots;
+    workspace.Linearise(problem, state, prior,
+                        {.start_knot = start, .end_knot = knots, .last_knot = knots - 1});
+    std::vector<double> sds(static_cast<std::size_t>(knots - start));
     Elimination(workspace).VisitCovariances(
         [&](int knot, const BlockIndex& index, const CovarianceView& covariance) {
           if (const int at = index.OffsetOf(problem.Attitude(knot, 1)); at >= 0)
@@ -78,7 +80,7 @@ TEST_F(Stretches, TakeEachContactAndPoseOnce) {
   const double time = handover_.time;
   told.contacts = {{.place = "table", .segment = Segment::kForearm, .times = {1.0, time, time + 2}},
                    {.place = "cup", .segment = Segment::kForearm, .times = {2.0}}};
-  told.end_pose = HeldPose{.time = 15.0};
+  told.end_pose.emplace().time = 15.0;
   const Observations before = ToldBetween(told, nullptr, time - 0.01);
   const Observations after = ToldBetween(told, &handover_, HUGE_VAL);
   ASSERT_EQ(before.contacts.size(), 2u);

@@ -106,15 +106,15 @@ TEST(MarginalPrior, DerivativesAgreeAtItsPointAndFarFromIt) {
 }
 
 // Over three numbers, one of which takes a random step.
-TEST(MarginalPrior, GrowsByTheCovarianceOfAStepAndKeepsItsMean) {
+TEST(MarginalPrior, GrowsByTheCovarianceOfAStepAndMovesByItsMean) {
   std::mt19937 random(4);
   MatrixXd J(3, 3);
   for (int i = 0; i < 3; ++i) J.col(i) = RandomVector(3, random);
   const VectorXd r = RandomVector(3, random), point = VectorXd::Zero(3);
-  constexpr double kSigma = 0.7;
+  constexpr double kMean = 0.3, kSigma = 0.7;
   MarginalPrior prior({1, 1, 1}, point, J, r);
   const auto sound = prior.Copy();
-  prior.Loosen(1, kSigma);
+  prior.Step(1, kMean, kSigma);
   const auto mean_and_covariance = [&](const MarginalPrior& of) {
     const double zeros[] = {0.0, 0.0, 0.0};
     const double* x[] = {&zeros[0], &zeros[1], &zeros[2]};
@@ -129,6 +129,7 @@ TEST(MarginalPrior, GrowsByTheCovarianceOfAStepAndKeepsItsMean) {
   };
   auto [mean, covariance] = mean_and_covariance(*sound);
   const auto [loose_mean, loose_covariance] = mean_and_covariance(prior);
+  mean[1] += kMean;
   covariance(1, 1) += kSigma * kSigma;
   EXPECT_LT((loose_mean - mean).norm(), 1e-9);
   EXPECT_LT((loose_covariance - covariance).norm(), 1e-9 * covariance.norm());
