@@ -49,6 +49,9 @@ TEST_F(Stretches, KnowAfterAHandoverWhatTheOneProblemKnows) {
   State state = next.PriorState();
   const CarriedPrior prior = TakeOver(handover_, next, state);
   ASSERT_EQ(next.size().knots, problem_.size().knots - knot_);
+  for (int sensor = 0; sensor < 2; ++sensor)
+    EXPECT_TRUE(std::equal(state.Attitude(0, sensor), state.Attitude(0, sensor) + 4,
+                           state_.Attitude(knot_, sensor)));
   for (int knot = 0; knot < next.size().knots; ++knot) {
     for (int sensor = 0; sensor < 2; ++sensor) {
       std::copy_n(state_.Attitude(knot_ + knot, sensor), 4, state.Attitude(knot, sensor));
