@@ -47,9 +47,13 @@ char* Print(double value, char* at) {
 
 }  // namespace
 
-void WriteCsv(const std::string& file, std::size_t rows, const std::vector<CsvColumn>& columns) {
-  OutputFile output(file);
-  output.Append(Header(columns));
+CsvWriter::CsvWriter(const std::string& file) : output_(std::make_unique<OutputFile>(file)) {}
+
+CsvWriter::~CsvWriter() = default;
+
+void CsvWriter::Append(std::size_t rows, const std::vector<CsvColumn>& columns) {
+  if (!has_header_) output_->Append(Header(columns));
+  has_header_ = true;
   std::vector<char> buffer(kBufferSize + kLongestNumber * (columns.size() + 1));
   char* at = buffer.data();
   for (std::size_t row = 0; row < rows && !columns.empty(); ++row) {
@@ -59,11 +63,18 @@ void WriteCsv(const std::string& file, std::size_t rows, const std::vector<CsvCo
     }
     at[-1] = '\n';
     if (at < buffer.data() + kBufferSize) continue;
-    output.Append({buffer.data(), at});
+    output_->Append({buffer.data(), at});
     at = buffer.data();
   }
-  output.Append({buffer.data(), at});
-  output.Close();
+  output_->Append({buffer.data(), at});
+}
+
+void CsvWriter::Close() { output_->Close(); }
+
+void WriteCsv(const std::string& file, std::size_t rows, const std::vector<CsvColumn>& columns) {
+  CsvWriter writer(file);
+  writer.Append(rows, columns);
+  writer.Close();
 }
 
 }  // namespace brachium

@@ -32,7 +32,9 @@ struct SmootherOptions {
           "Time between instants with unknowns [s]. Smaller follows faster motion and costs more; "
           "0 puts one at every sample.");
     visit("whole_trial", options.whole_trial,
-          "Solve the whole trial at once after the windows. Off: windows only.");
+          "Solve the whole trial at once after the windows. Off: windows only, stretch by stretch "
+          "in memory that does not grow with the trial; standard deviations then know nothing of "
+          "what comes later.");
     visit("window_s", options.window_s, "Length of a forward window [s].");
     visit("window_advance_s", options.window_advance_s,
           "From the start of one window to the start of the next [s]; where the whole trial is "

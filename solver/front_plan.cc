@@ -33,7 +33,7 @@ void FrontPlan::Reset() {
   members_.clear();
   runs_.clear();
   active_.clear();
-  columns_ = widest_stride_ = most_residuals_ = widest_term_ = most_blocks_ = 0;
+  columns_ = handed_on_ = widest_stride_ = most_residuals_ = widest_term_ = most_blocks_ = 0;
   storage_ = 0;
 }
 
@@ -116,6 +116,8 @@ void FrontPlan::OrderVariables() {
     index = static_cast<int>(i);
     variables_[i].column = columns_;
     columns_ += variables_[i].tangent;
+    if (variables_[i].last_front == static_cast<int>(fronts_.size()))
+      handed_on_ += variables_[i].tangent;
   }
   for (TermBlock& block : blocks_) block.variable = place[U(block.variable)];
   std::fill(column_in_front_.begin(), column_in_front_.end(), -1);

@@ -85,9 +85,10 @@ class FrontPlan {
   // Of an unknown's variable; -1 where the plan has none.
   int IndexOf(int unknown) const { return variable_of_[static_cast<std::size_t>(unknown)]; }
   const std::vector<Front>& fronts() const { return fronts_; }
-  int columns() const { return columns_; }                // of all variables
-  std::size_t storage() const { return storage_; }        // numbers that the factor takes
-  int widest_stride() const { return widest_stride_; }    // of all fronts
+  int columns() const { return columns_; }              // of all variables
+  int handed_on() const { return handed_on_; }          // of them, the last ones: what is handed on
+  std::size_t storage() const { return storage_; }      // numbers that the factor takes
+  int widest_stride() const { return widest_stride_; }  // of all fronts
   int most_residuals() const { return most_residuals_; }  // of one term
   int widest_term() const { return widest_term_; }        // tangent columns, held ones too
   int most_blocks() const { return most_blocks_; }        // of one term
@@ -126,7 +127,8 @@ class FrontPlan {
   std::vector<int> column_in_front_;  // of each variable; -1 before its first front
   std::vector<int> active_;           // variables that the last front handed on
   std::vector<TermBlock*> in_order_;  // of one term
-  int columns_ = 0, widest_stride_ = 0, most_residuals_ = 0, widest_term_ = 0, most_blocks_ = 0;
+  int columns_ = 0, handed_on_ = 0, widest_stride_ = 0, most_residuals_ = 0, widest_term_ = 0,
+      most_blocks_ = 0;
   std::size_t storage_ = 0;
 };
 

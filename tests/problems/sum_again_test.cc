@@ -14,9 +14,7 @@ constexpr double kBehind = 0.2;  // [s]
 
 ArmProblem SummedAgain() {
   ArmProblem problem(Brisk(16).observations, {}, 0.1);
-  State state = problem.PriorState();
-  *state.Constant(UnknownKind::kClockOffset, 1) = kBehind;
-  problem.SumAgain(state);
+  problem.SumAgain(problem.PriorState(), {0.0, kBehind});
   return problem;
 }
 
