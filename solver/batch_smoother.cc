@@ -77,8 +77,8 @@ Estimate SmoothedInStretches(const Observations& observations, const SmootherOpt
 bool SmootherOptions::IsValid(std::string* why) const {
   if (!(knot_spacing_s >= 0.0)) return *why = "knot_spacing_s must not be negative", false;
   if (!(window_s > 0.0)) return *why = "window_s must be greater than 0", false;
-  if (!(window_advance_s > 0.0 && window_advance_s <= window_s))
-    return *why = "window_advance_s must be greater than 0 and at most window_s", false;
+  if (!(window_advance_s >= 0.0 && window_advance_s <= window_s))
+    return *why = "window_advance_s must not be negative, and at most window_s", false;
   if (weight_iterations < 0) return *why = "weight_iterations must not be negative", false;
   if (!SolverNamed(solver)) return *why = "solver must be chain or ceres", false;
   if (threads < 1) return *why = "threads must be at least 1", false;
@@ -121,7 +121,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
                     .solver = solver,
                     .unmodelled = judges_skin ? &left_by_windows : nullptr},
                    progress);
-  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate(problem));
+  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate());
   stage("windows");
 
   ChainWorkspace workspace(problem);
@@ -138,7 +138,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     followed = sums-- > 0 && FollowsClocks(problem, state, workspace);
     UnmodelledSums left(problem);
     left.Add(problem, state, 0, problem.size().knots, workspace);
-    problem.SetUnmodelled(left.Estimate(problem));
+    problem.SetUnmodelled(left.Estimate());
   }
   const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
   if (on_skin) problem.HoldMountings(state);

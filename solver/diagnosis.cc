@@ -101,7 +101,7 @@ std::string UninformedAxes(const Eigen::VectorXd& sd, const std::vector<double>&
 
 std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, State& state) {
   ResidualSums sums;
-  sums.Add(problem, state, problem.size().knots);
+  sums.Add(problem, state, 0, problem.size().knots);
   return sums.Statistics();
 }
 

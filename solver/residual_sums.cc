@@ -15,10 +15,11 @@ std::string NameOf(const ArmProblem& problem, const Term& term) {
 
 }  // namespace
 
-void ResidualSums::Add(const ArmProblem& problem, State& state, int end_knot) {
+void ResidualSums::Add(const ArmProblem& problem, State& state, int start_knot, int end_knot) {
   std::vector<const double*> values;
   std::vector<double> r;
   for (const Term& term : problem.terms()) {
+    if (term.first_knot < start_knot) continue;
     if (term.first_knot >= end_knot) break;
     values.clear();
     for (const int unknown : term.unknowns) values.push_back(problem.Value(state, unknown));
@@ -28,6 +29,15 @@ void ResidualSums::Add(const ArmProblem& problem, State& state, int end_knot) {
     if (sum.count == 0) sum.name = NameOf(problem, term);
     sum.count += r.size();
     for (const double value : r) sum.squares += value * value;
+  }
+}
+
+void ResidualSums::Add(const ResidualSums& others) {
+  for (const auto& [of, other] : others.sums_) {
+    Sum& sum = sums_[of];
+    sum.name = other.name;
+    sum.count += other.count;
+    sum.squares += other.squares;
   }
 }
 

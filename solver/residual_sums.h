@@ -13,8 +13,10 @@ namespace brachium {
 
 class ResidualSums {
  public:
-  // Adds the terms whose first knot lies before `end_knot`, at `state`.
-  void Add(const ArmProblem& problem, State& state, int end_knot);
+  // Adds the terms whose first knot lies in [start_knot, end_knot), at `state`.
+  void Add(const ArmProblem& problem, State& state, int start_knot, int end_knot);
+
+  void Add(const ResidualSums& others);
 
   // By kind and sensor.
   std::vector<ResidualStatistics> Statistics() const;

@@ -29,7 +29,7 @@ void StretchReport::Add(const SolvedStretch& stretch) {
   windows_.iterations += stretch.windows.iterations;
   knots_ += stretch.stop + (stretch.is_last ? 1 : 0);
   unknowns_ += stretch.unknowns;
-  residuals_.Add(stretch.problem, stretch.state, stretch.stop + (stretch.is_last ? 1 : 0));
+  residuals_.Add(stretch.residuals);
   AddRests(stretch);
   Diagnostics& diagnostics = told_.diagnostics;
   diagnostics.singular = diagnostics.singular || stretch.singular;

@@ -18,10 +18,11 @@ struct SolvedStretch {
   int stop = 0;
   bool is_last = false;
   const WindowReport& windows;
-  const Certainty& certainty;  // by its last window
-  bool singular = false;       // in any of them
-  double unknowns = 0.0;       // before `stop`, by their tangent size
-  int sums = 1;                // how often its samples were summed
+  const Certainty& certainty;     // by its last window
+  bool singular = false;          // in any of them
+  const ResidualSums& residuals;  // before `stop`, each as its window left it
+  double unknowns = 0.0;          // before `stop`, by their tangent size
+  int sums = 1;                   // how often its samples were summed
 };
 
 class StretchReport {

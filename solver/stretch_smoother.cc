@@ -13,6 +13,7 @@
 #include "solver/stretch.h"
 #include "solver/stretch_report.h"
 #include "solver/trajectory.h"
+#include "solver/unmodelled.h"
 #include "solver/window.h"
 
 namespace brachium {
@@ -26,6 +27,18 @@ constexpr double kShortest =
 constexpr double kMargin = 1.0;    // of samples about a stretch [s]: for clocks, and edges of rests
 constexpr double kAtOnce = 600.0;  // of samples that no stretch covers [s]
 constexpr std::size_t kPiece = 20000;  // samples that leave together, at most
+
+// Standard deviations that differ by more than this factor call for another solution.
+constexpr double kOtherWeight = 1.5;
+
+bool AreFar(const std::vector<Unmodelled>& found, const std::vector<Unmodelled>& used) {
+  const auto are_far = [](double a, double b) {
+    return a > kOtherWeight * b || b > kOtherWeight * a;
+  };
+  return !std::ranges::equal(found, used, [&](const Unmodelled& a, const Unmodelled& b) {
+    return !are_far(a.acceleration, b.acceleration) && !are_far(a.quiver, b.quiver);
+  });
+}
 
 class StretchSmoother {
  public:
@@ -43,7 +56,8 @@ class StretchSmoother {
   Observations Cut(double start, double end);
   void SolveStretch();
   bool Solve(const Observations& cut, double end);
-  void SolveWindows(Part& part);
+  Stretch Begun(double end) const;
+  void SolveWindows(Part& part, UnmodelledSums& left);
   void Commit(Part& part);
   void Emit(Part& part, const std::vector<double>& times);
   void ReadTimesBefore();
@@ -60,6 +74,8 @@ class StretchSmoother {
   std::optional<Handover> handover_;
   std::vector<double> clocks_;  // about which samples are summed, by sensor; empty: zero [s]
   ClockRates rates_;
+  std::optional<UnmodelledSums> left_;        // of all stretches so far
+  std::vector<Unmodelled> unmodelled_;        // by which the next one goes; empty: the first guess
   double start_ = 0.0, emitted_ = -HUGE_VAL;  // [s]
   std::vector<double> before_;                // samples that no stretch covers, not emitted yet [s]
   bool ended_ = false;
@@ -82,6 +98,7 @@ struct StretchSmoother::Part {
   WindowReport windows;
   Certainty certainty;  // by the last window
   bool singular = false;
+  ResidualSums residuals;
   double unknowns = 0.0;
   ClocksFound clocks;
   int sums = 1;
@@ -94,7 +111,7 @@ StretchSmoother::StretchSmoother(StreamedObservations& trial, const SmootherOpti
       sink_(sink),
       progress_(progress),
       windows_{.length = options.window_s,
-               .advance = options.window_advance_s,
+               .advance = options.WindowAdvance(),
                .solver = SolverNamed(options.solver).value()},
       told_(trial.told),
       order_(trial.samples.size()) {
@@ -160,16 +177,11 @@ void StretchSmoother::SolveStretch() {
   }
 }
 
+// A stretch is solved again where it tells that samples are to be summed about other clocks, or that
+// its residuals were weighted wrongly.
 bool StretchSmoother::Solve(const Observations& cut, double end) {
-  for (int sums = 1;; ++sums) {
-    Stretch stretch{.start = std::nullopt, .end = end, .clock_offset = clocks_, .gyro_bias = {}};
-    if (handover_) {
-      stretch.start = handover_->time;
-      for (int sensor = 0; sensor < std::ssize(order_); ++sensor)
-        stretch.gyro_bias.push_back(Eigen::Map<const Eigen::Vector3d>(
-            handover_->Of(UnknownKind::kGyroBias, sensor).data()));
-    }
-    Part part(cut, options_, told_.recordings[clock_].segment, std::move(stretch));
+  for (int times = 1;; ++times) {
+    Part part(cut, options_, told_.recordings[clock_].segment, Begun(end));
     const Timeline& timeline = part.problem.timeline();
     part.is_last = end == HUGE_VAL;
     part.stop =
@@ -177,17 +189,36 @@ bool StretchSmoother::Solve(const Observations& cut, double end) {
             ? timeline.Intervals()
             : timeline.nodes[U(timeline.NodeBefore(timeline.knots.back() - windows_.length))];
     if (part.stop == 0) return false;
+    if (!unmodelled_.empty()) part.problem.SetUnmodelled(unmodelled_);
+    UnmodelledSums left = left_ ? *left_ : UnmodelledSums(part.problem);
     part.problem.HoldMountings(part.state);
-    SolveWindows(part);
-    part.sums = sums;
-    if (sums == kMostSums || !part.clocks.far) return Commit(part), true;
-    clocks_ = part.clocks.offsets;
+    SolveWindows(part, left);
+    part.sums = times;
+    if (options_.weight_iterations > 0) unmodelled_ = left.Estimate();
+    const bool reweighs = !unmodelled_.empty() && AreFar(unmodelled_, part.problem.unmodelled());
+    if (times < kMostSums && (part.clocks.far || reweighs)) {
+      clocks_ = part.clocks.offsets;
+      continue;
+    }
+    left_ = std::move(left);
+    Commit(part);
+    return true;
   }
+}
+
+Stretch StretchSmoother::Begun(double end) const {
+  Stretch stretch{.start = std::nullopt, .end = end, .clock_offset = clocks_, .gyro_bias = {}};
+  if (!handover_) return stretch;
+  stretch.start = handover_->time;
+  for (int sensor = 0; sensor < std::ssize(order_); ++sensor)
+    stretch.gyro_bias.push_back(
+        Eigen::Map<const Eigen::Vector3d>(handover_->Of(UnknownKind::kGyroBias, sensor).data()));
+  return stretch;
 }
 
 // The window that begins at the handover is solved as well: the knot then has the value that it
 // will leave with, and the motion does not leap there.
-void StretchSmoother::SolveWindows(Part& part) {
+void StretchSmoother::SolveWindows(Part& part, UnmodelledSums& left) {
   CarriedPrior prior;
   if (handover_)
     prior = TakeOver(*handover_, part.problem, part.state);
@@ -208,7 +239,11 @@ void StretchSmoother::SolveWindows(Part& part) {
   };
   for (;;) {
     solve();
-    if (part.is_last && windows.end() == part.stop) break;
+    const bool ends = part.is_last && windows.end() == part.stop;
+    const int next = ends ? windows.end() + 1 : windows.NextStart(part.stop);
+    left.Add(part.problem, part.state, windows.start(), next, windows.workspace());
+    part.residuals.Add(part.problem, part.state, windows.start(), next);
+    if (ends) break;
     windows.Advance(part.stop);
     if (windows.start() < part.stop) continue;
     part.handover = HandOver(part.problem, part.state, windows.prior(), part.stop);
@@ -236,6 +271,7 @@ void StretchSmoother::Commit(Part& part) {
                .windows = part.windows,
                .certainty = part.certainty,
                .singular = part.singular,
+               .residuals = part.residuals,
                .unknowns = part.unknowns,
                .sums = part.sums});
   ended_ = part.is_last;

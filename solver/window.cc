@@ -88,7 +88,7 @@ void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOp
     if (IsSettledByPose(problem, sensor)) continue;
     const State start = state;
     bool clear = false;
-    for (double span = options.length; !clear && span <= kLongestSettling; span *= 2) {
+    for (double span = kShortestSettling; !clear && span <= kLongestSettling; span *= 2) {
       state = start;
       const int last = KnotAt(problem, timeline.knots.front() + span);
       clear = TryHeadings(problem, state, sensor, last, solve, workspace, report) ||
@@ -137,17 +137,22 @@ void ForwardWindows::Solve() {
   ++report_.windows;
 }
 
+int ForwardWindows::NextStart(int limit) const {
+  if (options_.only_a_start) return end_;
+  const double time = problem_.timeline().knots[static_cast<std::size_t>(start_)];
+  return std::min(std::max(KnotAt(problem_, time + options_.advance), start_ + 1), limit);
+}
+
 void ForwardWindows::Advance(int limit) {
   const Timeline& timeline = problem_.timeline();
+  const int next = NextStart(limit);
   HoldBias(problem_, state_,
            timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end_)]) + 1);
   if (options_.only_a_start) {
     prior_ = Elimination(workspace_).Carry();
-    start_ = end_;
+    start_ = next;
     return;
   }
-  const double time = timeline.knots[static_cast<std::size_t>(start_)];
-  const int next = std::min(std::max(KnotAt(problem_, time + options_.advance), start_ + 1), limit);
   const Elimination elimination(problem_, state_, prior_, start_, next, workspace_);
   left_behind_ += elimination.eliminated();
   prior_ = elimination.Carry();

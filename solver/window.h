@@ -10,8 +10,8 @@
 namespace brachium {
 
 struct WindowOptions {
-  double length = 5.0;   // [s]
-  double advance = 2.5;  // from one window to the next [s]
+  double length = 20.0;   // [s]
+  double advance = 10.0;  // from one window to the next [s]
   // The whole trial is solved afterwards: geometry is held, windows do not overlap and are left where
   // steps have become small.
   bool only_a_start = false;
@@ -32,8 +32,8 @@ struct WindowReport {
 void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOptions& options,
                          WindowReport& report);
 
-// Choosing may take this much of a trial [s].
-inline constexpr double kLongestSettling = 80.0;
+// Choosing takes at least and at most this much of a trial [s].
+inline constexpr double kShortestSettling = 5.0, kLongestSettling = 80.0;
 
 // Sets the first knot, chooses the start headings and fixes the arm's heading there.
 void SetStart(ArmProblem& problem, State& state, const WindowOptions& options,
@@ -50,7 +50,11 @@ class ForwardWindows {
   // Solves the window that begins at start().
   void Solve();
 
-  // Moves start() on, no further than `limit` and by one knot at least.
+  // Where the next window begins: no further than `limit`, by one knot at least. Windows that are only
+  // a start do not overlap.
+  int NextStart(int limit) const;
+
+  // Moves start() there.
   void Advance(int limit);
 
   int start() const { return start_; }
