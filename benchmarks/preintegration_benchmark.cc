@@ -8,7 +8,7 @@
 namespace brachium {
 namespace {
 
-constexpr double kKnotSpacing = 0.05, kNodeSpacing = 10.0;  // [s]
+constexpr double kKnotSpacing = 0.1, kNodeSpacing = 10.0;  // [s]
 
 const Recording& OneMinute() {
   static const Recording recording =

@@ -55,7 +55,7 @@ void SetUp(benchmark::State& state) {
 }
 BENCHMARK(SetUp)->Unit(benchmark::kMillisecond);
 
-// Those of 5 s, one after the other: the search in each, and what it hands on to the next.
+// One after the other: the search in each, and what it hands on to the next.
 void Windows(benchmark::State& state) {
   Minute minute;
   const State prior = minute.state;

@@ -124,7 +124,10 @@ int Main(const std::vector<std::string>& words) try {
 } catch (const InputError& error) {
   return Complain(error, kWrongInput);
 } catch (const std::bad_alloc&) {
-  return Complain(OutputError("there is not enough memory"), kWrongUsage);
+  return Complain(
+      OutputError(
+          "there is not enough memory; a long trial needs little of it with --whole_trial=false"),
+      kWrongUsage);
 } catch (const std::exception& error) {
   return Complain(error, kWrongUsage);
 }

@@ -67,7 +67,7 @@ SweepResult RunSweepTask(const MethodOptions& options, const TrialFolder& folder
   }
   return Judged(estimator->Run(folder.trial.observations), folder);
 } catch (const std::bad_alloc&) {
-  return {.outcome = Outcome::kFailed, .reason = "there is not enough memory"};
+  return {.outcome = Outcome::kFailed, .reason = "there is not enough memory; try fewer --jobs"};
 } catch (const std::exception& error) {
   return {.outcome = Outcome::kFailed, .reason = error.what()};
 }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "solver/trajectory.h"
 #include "solver/window.h"
 #include "tests/support/simulated_trial.h"
@@ -10,9 +12,10 @@
 namespace brachium {
 namespace {
 
-// Three minutes, with knots far apart: quick, and two handovers.
+// Three minutes, with knots far apart: quick, and two handovers. Every stretch is solved once.
 SmootherOptions InStretches() {
   SmootherOptions options;
+  options.weight_iterations = 0;
   options.whole_trial = false;
   options.covariance = false;
   options.knot_spacing_s = 0.2;
@@ -69,6 +72,32 @@ TEST(SmoothingInStretches, GivesTheMotionThatWindowsOverTheWholeTrialGive) {
             0.1 * kDegree);
   for (const Segment segment : {Segment::kUpperArm, Segment::kForearm})
     EXPECT_LT(RmsAngle(stretches.q_WB.at(segment), one.q_WB.at(segment)), 0.1 * kDegree);
+}
+
+TEST(SmoothingInStretches, WeighsResidualsLikeTheWholeTrial) {
+  SmootherOptions options = InStretches();
+  const auto error = [&] {
+    return RelativeError(Smoothed(ThreeMinutes().observations, options), *ThreeMinutes().reference);
+  };
+  const double unweighted = error();
+  options.weight_iterations = 1;
+  const double weighted = error();
+  options.whole_trial = true;
+  EXPECT_LT(weighted, 1.25 * error());
+  EXPECT_LT(weighted, 0.5 * unweighted);
+}
+
+TEST(SmoothingInStretches, TellsResidualsAsTheWholeTrialDoes) {
+  SmootherOptions options = InStretches();
+  const Estimate stretches = Smoothed(ThreeMinutes().observations, options);
+  options.whole_trial = true;
+  const Estimate whole = Smoothed(ThreeMinutes().observations, options);
+  EXPECT_NEAR(FigureOf(stretches, "residual_scale") / FigureOf(whole, "residual_scale"), 1.0, 0.1);
+  std::map<std::string, ResidualStatistics> expected;
+  for (const ResidualStatistics& kind : whole.diagnostics.residuals) expected[kind.kind] = kind;
+  for (const ResidualStatistics& kind : stretches.diagnostics.residuals)
+    if (kind.kind.starts_with("accelerometer") || kind.kind.starts_with("segment_chain"))
+      EXPECT_NEAR(kind.rms / expected[kind.kind].rms, 1.0, 0.15) << kind.kind;
 }
 
 TEST(SmoothingInStretches, DoesNotLeapWhereOneStretchHandsOverToTheNext) {
