@@ -15,7 +15,7 @@ constexpr double kLongest = 1200.0;          // [s]
 constexpr double kLeastChange = 0.015;       // of the elbow in the sensor's axes [m]
 constexpr double kLeastTurn = 12 * kDegree;  // of the sensor; skin does as much
 constexpr double kNear = 3.0;                // from a slip by the hinge to one by force [s]
-// A score of one is what each of them would need alone. Sound trials: XX and less, both together.
+// A score of one is what each of them would need alone. Sound trials: 0.97 and less, both together.
 constexpr double kLeastScore = 1.1;
 
 // Chance and soft tissue explain the more, the shorter the trial.
