@@ -39,54 +39,46 @@ BlockValues SomeValues() {
   return RandomValues(typename Residual::Blocks(), random, 0.1);
 }
 
-// Room for what an evaluation says, a matrix a block.
-struct Evaluation {
-  Eigen::VectorXd r;
+// Repeats evaluate(values, r, J), with room for a matrix a block, as wide as its tangent space or as
+// the block itself.
+template <typename Residual, typename Evaluate>
+void Repeat(benchmark::State& state, bool tangent, const Evaluate& evaluate) {
+  const BlockValues x = SomeValues<Residual>();
+  const std::vector<const double*> values = Pointers(x);
+  Eigen::VectorXd r(Residual::kResiduals);
   std::vector<Eigen::VectorXd> blocks;
+  blocks.reserve(x.size());
   std::vector<double*> J;
   int columns = 0;
-
-  Evaluation(int residuals, const BlockValues& x, bool tangent) : r(residuals) {
-    for (const Eigen::VectorXd& block : x) {
-      const int size = static_cast<int>(block.size());
-      blocks.emplace_back(residuals * (tangent ? TangentSize(size) : size));
-      columns += TangentSize(size);
-    }
-    for (Eigen::VectorXd& block : blocks) J.push_back(block.data());
+  for (const Eigen::VectorXd& block : x) {
+    const int size = static_cast<int>(block.size());
+    J.push_back(blocks.emplace_back(r.size() * (tangent ? TangentSize(size) : size)).data());
+    columns += TangentSize(size);
   }
-};
-
-template <typename Evaluate>
-void Repeat(benchmark::State& state, Evaluation& evaluation, const Evaluate& evaluate) {
-  benchmark::DoNotOptimize(evaluation.r.data());
-  benchmark::DoNotOptimize(evaluation.J.data());
+  benchmark::DoNotOptimize(r.data());
+  benchmark::DoNotOptimize(J.data());
   for (auto _ : state) {
-    evaluate();
+    evaluate(values.data(), r.data(), J.data());
     benchmark::ClobberMemory();
   }
-  state.counters["residuals"] = static_cast<double>(evaluation.r.size());
-  state.counters["columns"] = evaluation.columns;
+  state.counters["residuals"] = Residual::kResiduals;
+  state.counters["columns"] = columns;
 }
 
 template <typename Residual>
 void Analytic(benchmark::State& state, const Residual& residual) {
   const std::unique_ptr<TangentCost> cost(MakeCost(residual));
-  const BlockValues x = SomeValues<Residual>();
-  const std::vector<const double*> pointers = Pointers(x);
-  Evaluation evaluation(Residual::kResiduals, x, true);
-  Repeat(state, evaluation,
-         [&] { cost->EvaluateTangent(pointers.data(), evaluation.r.data(), evaluation.J.data()); });
+  Repeat<Residual>(state, true, [&](const double* const* x, double* r, double** J) {
+    cost->EvaluateTangent(x, r, J);
+  });
 }
 
 template <typename Residual>
 void Automatic(benchmark::State& state, const Residual& residual) {
   const std::unique_ptr<ceres::CostFunction> cost(
       MakeAutomaticCost(residual, typename Residual::Blocks()));
-  const BlockValues x = SomeValues<Residual>();
-  const std::vector<const double*> pointers = Pointers(x);
-  Evaluation evaluation(Residual::kResiduals, x, false);
-  Repeat(state, evaluation,
-         [&] { cost->Evaluate(pointers.data(), evaluation.r.data(), evaluation.J.data()); });
+  Repeat<Residual>(state, false,
+                   [&](const double* const* x, double* r, double** J) { cost->Evaluate(x, r, J); });
 }
 
 template <typename Residual>

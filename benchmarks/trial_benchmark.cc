@@ -7,11 +7,8 @@
 // Time is wall time. Counters: processor_s; MB, the most memory; x_real_time; the program's own
 // stages [s] (timing.json), and as stage:else what is left of the wall time.
 #include <benchmark/benchmark.h>
-#include <fcntl.h>
-#include <spawn.h>
+#include <stdlib.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -19,7 +16,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "tests/support/own_child.h"
 
 namespace brachium {
 namespace {
@@ -38,25 +38,11 @@ double Seconds(const timeval& time) {
 // Runs the program, silently.
 Spent Run(std::vector<std::string> words) {
   words.insert(words.begin(), BRACHIUM_PROGRAM);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_WRONLY, 0);
-
   Spent spent;
-  pid_t child = -1;
-  int status = 0;
-  struct rusage usage {};
+  rusage usage = {};
   const auto start = std::chrono::steady_clock::now();
-  const bool started =
-      posix_spawn(&child, arguments[0], &actions, nullptr, arguments.data(), environ) == 0;
-  if (started && wait4(child, &status, 0, &usage) == child && WIFEXITED(status))
-    spent.exit_code = WEXITSTATUS(status);
+  spent.exit_code = OwnChild(std::move(words)).Wait(&usage);
   spent.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  posix_spawn_file_actions_destroy(&actions);
   spent.processor_s = Seconds(usage.ru_utime) + Seconds(usage.ru_stime);
   spent.mb = static_cast<double>(usage.ru_maxrss) * 1024 / 1e6;
   return spent;

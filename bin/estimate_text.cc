@@ -83,7 +83,7 @@ Table Timing(const Estimate& estimate) {
 std::string EstimateText(const std::string& trial, const Estimate& estimate) {
   const Diagnostics& diagnostics = estimate.diagnostics;
   return "Trial " + trial + ", " + std::string(Name(estimate.side)) + " arm, method " +
-         estimate.method + ", " + std::to_string(estimate.time.size()) + " instants\n" +
+         estimate.method + ", " + std::to_string(estimate.Instants()) + " instants\n" +
          Outcome(diagnostics) +
          Section("Residuals, whitened: rms 1 where the model holds", Residuals(diagnostics)) +
          Section("Constants", Constants(diagnostics)) + Section("Rests", Rests(diagnostics)) +

@@ -62,8 +62,8 @@ class CommandLine {
   bool AsksForHelp() const;
   bool AsksForManual() const;
 
-  // Registers the flags with gflags and sets the fields. Throws UsageError for an unknown flag, naming its neighbours, for a
-  // value that does not parse, and for a word that is no flag.
+  // Registers the flags with gflags and sets the fields. Throws UsageError for an unknown flag, naming
+  // its neighbours, for a value that does not parse, and for a word that is no flag.
   void Read();
 
   // Names and values of all flags but `without`: what a flag file needs to repeat the run.

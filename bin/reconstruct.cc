@@ -14,6 +14,7 @@
 #include "io/input_error.h"
 #include "io/trial_folder.h"
 #include "solver/estimators.h"
+#include "solver/stretch_smoother.h"
 
 namespace brachium {
 namespace {
@@ -61,6 +62,32 @@ int Verdict(const Diagnostics& diagnostics) {
   return kNotToBeTrusted;
 }
 
+// The motion goes from the recordings' files to the estimate's without ever being held.
+int ReconstructInStretches(const CommandLine& line, const ReconstructFlags& flags,
+                           const SmootherOptions& options) {
+  const Stopwatch reading;
+  StreamedTrial folder = OpenTrial(flags.trial);
+  const RunInfo run = RunInfoOf(folder, options, line.RunFlags({"output", "overwrite"}),
+                                line.text(), reading.Seconds());
+  StreamedObservations trial{folder.trial.observations, std::move(folder.samples)};
+  RequireAccepted(BatchSmoother(options), trial.told, flags.trial);
+  EstimateFolder output(flags.output, flags.overwrite);
+  const DiscardedOnTermination discarded(output.draft());
+  Estimate estimate;
+  {
+    ProgressLine progress;
+    estimate = SmoothInStretches(
+        trial, options, [&](const Estimate& piece) { output.Append(piece); }, progress.callback());
+  }
+  {
+    const WithoutInterruption writing;
+    output.Commit(estimate, run);
+  }
+  std::cout << EstimateText(folder.trial.name, estimate) << FindingsText(folder) << "Estimate in "
+            << flags.output << "\n";
+  return Verdict(estimate.diagnostics);
+}
+
 }  // namespace
 
 int RunReconstruct(CommandLine& line) {
@@ -75,6 +102,9 @@ int RunReconstruct(CommandLine& line) {
   std::visit([](const auto& options) { RequireValid(options); }, method);
   CheckReplaceable(flags.output, EstimateFolderKind(), flags.overwrite);
 
+  if (const auto* smoother = std::get_if<SmootherOptions>(&method);
+      smoother != nullptr && !smoother->whole_trial)
+    return ReconstructInStretches(line, flags, *smoother);
   const Stopwatch reading;
   const TrialFolder folder = ReadTrial(flags.trial, TrialParts::kRecordings);
   const RunInfo run = RunInfoOf(folder, method, line.RunFlags({"output", "overwrite"}), line.text(),

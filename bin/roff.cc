@@ -1,30 +1,23 @@
 #include "bin/roff.h"
 
+#include "io/escaped.h"
+
 namespace brachium {
 namespace {
 
-// Hyphens are escaped lest they become dashes that cannot be pasted into a shell.
-std::string Escaped(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '\\')
-      escaped += "\\e";
-    else if (letter == '-')
-      escaped += "\\-";
-    else if (letter == '\'')
-      escaped += "\\(aq";
-    else if (letter == '"')
-      escaped += "\\(dq";
-    else
-      escaped += letter;
-  }
-  return escaped;
+// Hyphens too, lest they become dashes that cannot be pasted into a shell.
+std::string EscapedRoff(const std::string& text) {
+  return Escaped(text, {{'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'"', "\\(dq"}});
 }
 
 }  // namespace
 
-std::string RoffLine(const std::string& text) { return "\\&" + Escaped(text) + "\n"; }
+std::string RoffLine(const std::string& text) {
+  return std::string("\\&").append(EscapedRoff(text)).append("\n");
+}
 
-std::string RoffQuoted(const std::string& text) { return "\"" + Escaped(text) + "\"\n"; }
+std::string RoffQuoted(const std::string& text) {
+  return std::string("\"").append(EscapedRoff(text)).append("\"\n");
+}
 
 }  // namespace brachium

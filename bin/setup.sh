@@ -1,4 +1,5 @@
-# Sourced by bin/demo, bin/test and bin/Dockerfile: installs what a Debian 12 machine lacks, then configures and builds.
+# Sourced by bin/demo, bin/test and bin/Dockerfile: installs what a Debian 12 machine lacks, then
+# configures and builds.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 

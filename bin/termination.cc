@@ -3,6 +3,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <string>
 #include <thread>
 
 namespace brachium {
@@ -16,7 +18,22 @@ std::mutex& Writing() {
   return *mutex;
 }
 
+// What to remove, under Writing(); empty: nothing.
+std::string& Draft() {
+  static auto* const draft = new std::string;
+  return *draft;
+}
+
+void SetDraft(const std::string& folder) {
+  const std::lock_guard<std::mutex> lock(Writing());
+  Draft() = folder;
+}
+
 }  // namespace
+
+DiscardedOnTermination::DiscardedOnTermination(const std::string& folder) { SetDraft(folder); }
+
+DiscardedOnTermination::~DiscardedOnTermination() { SetDraft(""); }
 
 WithoutInterruption::WithoutInterruption() : lock_(Writing()) {}
 
@@ -31,6 +48,8 @@ void ExitOnTermination() {
     int signal = 0;
     sigwait(&signals, &signal);
     Writing().lock();
+    std::error_code ignored;
+    if (!Draft().empty()) std::filesystem::remove_all(Draft(), ignored);
     _exit(kSignalExit + signal);
   }).detach();
 }

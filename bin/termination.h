@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mutex>
+#include <string>
 
 namespace brachium {
 
@@ -15,6 +16,13 @@ class WithoutInterruption {
 
  private:
   std::lock_guard<std::mutex> lock_;
+};
+
+// While one lives, termination removes this folder, a result in the making.
+class DiscardedOnTermination {
+ public:
+  explicit DiscardedOnTermination(const std::string& folder);
+  ~DiscardedOnTermination();
 };
 
 }  // namespace brachium

@@ -20,39 +20,58 @@ std::string Count(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
+void CountGap(double length, Steps& steps) {
+  if (!(length > kGapFactor * steps.median)) return;
+  ++steps.gaps;
+  steps.lost +=
+      static_cast<std::size_t>(std::min(std::round(length / steps.median) - 1.0, kMostLost));
+}
+
 }  // namespace
+
+LaterTimes::Use LaterTimes::Judge(double time, std::size_t line) {
+  if (time > last_) {
+    before_ = last_;
+    last_ = time;
+    ++used_;
+    return Use::kNext;
+  }
+  if (not_later_++ == 0) first_not_later_ = line;
+  const bool last_leapt =
+      used_ >= 2 && time > before_ && last_ - before_ > kLeap * (time - before_);
+  if (!last_leapt) return Use::kNot;
+  last_ = time;
+  return Use::kInsteadOfLast;
+}
+
+void LaterTimes::Check(std::size_t rows, const std::string& file) const {
+  if (2 * not_later_ > rows)
+    throw InputError(file, first_not_later_,
+                     "time_s repeats itself or runs back here and in most of the rows; expected "
+                     "an increasing time");
+  if (used_ < 2)
+    throw InputError(
+        file, 0,
+        "has " + Count(used_, "usable sample") + "; expected two or more rows of finite numbers");
+}
 
 UsableRows FindUsableRows(const CsvTable& table,
                           const std::function<bool(std::size_t)>& is_finite) {
   const std::vector<double>& time = table.Column("time_s");
   UsableRows usable;
-  std::vector<std::size_t>& rows = usable.rows;
-  rows.reserve(table.rows);
-  std::size_t first_not_later = 0;
+  usable.rows.reserve(table.rows);
+  LaterTimes times;
   for (std::size_t row = 0; row < table.rows; ++row) {
     if (!std::isfinite(time[row]) || !is_finite(row)) {
       ++usable.not_finite;
       continue;
     }
-    const double last = rows.empty() ? -HUGE_VAL : time[rows.back()];
-    if (time[row] > last) {
-      rows.push_back(row);
-      continue;
-    }
-    if (usable.not_later++ == 0) first_not_later = row;
-    if (rows.size() < 2) continue;
-    const double before = time[rows[rows.size() - 2]];
-    const bool last_leapt = time[row] > before && last - before > kLeap * (time[row] - before);
-    if (last_leapt) rows.back() = row;
+    const LaterTimes::Use use = times.Judge(time[row], table.Line(row));
+    if (use == LaterTimes::Use::kNext) usable.rows.push_back(row);
+    if (use == LaterTimes::Use::kInsteadOfLast) usable.rows.back() = row;
   }
-  if (2 * usable.not_later > table.rows)
-    throw InputError(table.file, table.Line(first_not_later),
-                     "time_s repeats itself or runs back here and in most of the rows; expected "
-                     "an increasing time");
-  if (rows.size() < 2)
-    throw InputError(table.file, 0,
-                     "has " + Count(rows.size(), "usable sample") +
-                         "; expected two or more rows of finite numbers");
+  times.Check(table.rows, table.file);
+  usable.not_later = times.not_later();
   return usable;
 }
 
@@ -66,14 +85,29 @@ Steps MeasureSteps(const std::vector<double>& time) {
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::ranges::nth_element(lengths, middle);
   steps.median = *middle;
-  for (const double length : lengths) {
-    if (!(length > kGapFactor * steps.median)) continue;
-    ++steps.gaps;
-    steps.lost +=
-        static_cast<std::size_t>(std::min(std::round(length / steps.median) - 1.0, kMostLost));
-  }
+  for (const double length : lengths) CountGap(length, steps);
   return steps;
 }
+
+void RunningSteps::Add(double time) {
+  if (steps_.median > 0.0) {
+    const double length = time - last_;
+    if (length > steps_.longest) {
+      steps_.longest = length;
+      steps_.longest_at = last_;
+    }
+    CountGap(length, steps_);
+  } else {
+    first_.push_back(time);
+    if (first_.size() > kJudged) {
+      steps_ = MeasureSteps(first_);
+      first_ = {};
+    }
+  }
+  last_ = time;
+}
+
+Steps RunningSteps::Measured() const { return steps_.median > 0.0 ? steps_ : MeasureSteps(first_); }
 
 void CheckStepUnit(const Steps& steps, const std::string& file) {
   if (steps.median >= kShortestStep && steps.median <= kLongestStep) return;

@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace brachium {
+
+class OutputFile;
 
 // A table of numbers.
 struct CsvTable {
@@ -61,6 +64,21 @@ struct CsvColumn {
   std::string name;
   const double* first = nullptr;
   std::size_t stride = 1;
+};
+
+// A table in the making, rows after rows. Throws OutputError.
+class CsvWriter {
+ public:
+  explicit CsvWriter(const std::string& file);
+  ~CsvWriter();
+
+  // The header comes from the first call; later ones must bring the same columns.
+  void Append(std::size_t rows, const std::vector<CsvColumn>& columns);
+  void Close();
+
+ private:
+  std::unique_ptr<OutputFile> output_;
+  bool has_header_ = false;
 };
 
 // Writes a table that ReadCsv reads back to the same bits; NaN becomes an empty cell.

@@ -39,7 +39,7 @@ class Table {
     AddAngles();
   }
 
-  void Write(const std::string& file) const { WriteCsv(file, estimate_.time.size(), columns_); }
+  void AppendTo(CsvWriter& writer) const { writer.Append(estimate_.time.size(), columns_); }
 
  private:
   void AddRotation(const std::string& name, const Rotations& q_WB) {
@@ -142,8 +142,12 @@ bool IsAngleDeviation(const std::string& column) {
 }  // namespace
 
 void WriteEstimateCsv(const Estimate& estimate, const std::string& file) {
-  Table(estimate).Write(file);
+  EstimateCsvWriter writer(file);
+  writer.Append(estimate);
+  writer.Close();
 }
+
+void EstimateCsvWriter::Append(const Estimate& piece) { Table(piece).AppendTo(writer_); }
 
 Estimate ReadEstimateCsv(const std::string& file) {
   const CsvTable table = ReadCsv(file, [](std::string_view name) {

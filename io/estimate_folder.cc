@@ -60,14 +60,24 @@ FolderKind EstimateFolderKind() {
 
 void WriteEstimate(const std::string& folder, const Estimate& estimate, const RunInfo& run,
                    bool overwrite) {
-  OutputFolder output(folder, EstimateFolderKind(), overwrite);
-  WriteEstimateCsv(estimate, output.File("estimate.csv"));
-  output.Write("summary.json", Dump(SummaryOf(estimate, run)));
-  output.Write("timing.json", Dump(TimingOf(estimate, run)));
-  output.Write("run.flags", RunFlags(run));
+  EstimateFolder output(folder, overwrite);
+  output.Append(estimate);
+  output.Commit(estimate, run);
+}
+
+EstimateFolder::EstimateFolder(const std::string& folder, bool overwrite)
+    : output_(folder, EstimateFolderKind(), overwrite), motion_(output_.File("estimate.csv")) {}
+
+void EstimateFolder::Append(const Estimate& piece) { motion_.Append(piece); }
+
+void EstimateFolder::Commit(const Estimate& estimate, const RunInfo& run) {
+  motion_.Close();
+  output_.Write("summary.json", Dump(SummaryOf(estimate, run)));
+  output_.Write("timing.json", Dump(TimingOf(estimate, run)));
+  output_.Write("run.flags", RunFlags(run));
   if (!estimate.diagnostics.headings.empty())
-    output.Write("headings.svg", HeadingsFigure(estimate.diagnostics.headings));
-  output.Commit();
+    output_.Write("headings.svg", HeadingsFigure(estimate.diagnostics.headings));
+  output_.Commit();
 }
 
 bool HoldsEstimate(const std::string& folder, const std::string& method, const RunInfo& run) {

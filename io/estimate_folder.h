@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "io/estimate_csv.h"
 #include "io/output_folder.h"
 #include "io/run_info.h"
 #include "problems/estimate.h"
@@ -16,6 +17,24 @@ FolderKind EstimateFolderKind();
 // the same, byte for byte, for the same estimate and run. Throws OutputExists and OutputError.
 void WriteEstimate(const std::string& folder, const Estimate& estimate, const RunInfo& run,
                    bool overwrite);
+
+// The same folder where the motion comes piece by piece. Without Commit() nothing remains.
+class EstimateFolder {
+ public:
+  EstimateFolder(const std::string& folder, bool overwrite);
+
+  void Append(const Estimate& piece);
+
+  // `estimate`: all but the motion that was appended.
+  void Commit(const Estimate& estimate, const RunInfo& run);
+
+  // Where it is made.
+  const std::string& draft() const { return output_.draft(); }
+
+ private:
+  OutputFolder output_;
+  EstimateCsvWriter motion_;
+};
 
 // Whether a folder holds the estimate that this run would make: by the same method, options and
 // versions from the same inputs.

@@ -54,17 +54,33 @@ FileBytes::~FileBytes() {
   if (data_ != nullptr) munmap(const_cast<char*>(data_), size_);
 }
 
-std::string Sha256(std::string_view bytes) {
+Sha256Sum::Sha256Sum() : context_(EVP_MD_CTX_new()) {
+  if (EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("SHA-256 is not available in this OpenSSL");
+}
+
+Sha256Sum::~Sha256Sum() { EVP_MD_CTX_free(context_); }
+
+void Sha256Sum::Add(std::string_view bytes) {
+  EVP_DigestUpdate(context_, bytes.data(), bytes.size());
+}
+
+std::string Sha256Sum::Text() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available in this OpenSSL");
+  EVP_DigestFinal_ex(context_, digest.data(), &size);
   std::string hex;
   for (unsigned int i = 0; i < size; ++i) {
     hex += "0123456789abcdef"[digest[i] >> 4];
     hex += "0123456789abcdef"[digest[i] & 15];
   }
   return hex;
+}
+
+std::string Sha256(std::string_view bytes) {
+  Sha256Sum sum;
+  sum.Add(bytes);
+  return sum.Text();
 }
 
 }  // namespace brachium

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;  // of OpenSSL
+
 namespace brachium {
 
 // A regular file, mapped read-only for as long as this lives. Throws InputError when it cannot be
@@ -25,5 +27,20 @@ class FileBytes {
 
 // SHA-256 in lower-case hexadecimal digits.
 std::string Sha256(std::string_view bytes);
+
+// The same of bytes that come in parts.
+class Sha256Sum {
+ public:
+  Sha256Sum();
+  ~Sha256Sum();
+  Sha256Sum(const Sha256Sum&) = delete;
+  Sha256Sum& operator=(const Sha256Sum&) = delete;
+
+  void Add(std::string_view bytes);
+  std::string Text();  // once, at the end
+
+ private:
+  evp_md_ctx_st* context_;
+};
 
 }  // namespace brachium

@@ -66,6 +66,8 @@ class OutputFolder {
   std::string File(const std::string& name) const { return draft_ + "/" + name; }
   void Write(const std::string& name, std::string_view text) const;
 
+  const std::string& draft() const { return draft_; }
+
   // Puts the folder in its place in one step. The same bytes again are no overwrite: the old folder
   // then stays. Throws OutputExists and OutputError.
   void Commit();

@@ -149,7 +149,7 @@ Json SummaryOf(const Estimate& estimate, const RunInfo& run) {
           {"side", Name(estimate.side)},
           {"method", estimate.method},
           {"options", Options(run)},
-          {"samples", estimate.time.size()},
+          {"samples", estimate.Instants()},
           {"convergence", Convergence(diagnostics)},
           {"residuals", Residuals(diagnostics)},
           {"constants", Constants(diagnostics)},

@@ -9,11 +9,13 @@
 #include "io/arm_json.h"
 #include "io/contacts_json.h"
 #include "io/file_bytes.h"
+#include "io/file_parts.h"
 #include "io/formats/read_export.h"
 #include "io/input_error.h"
 #include "io/json_input.h"
 #include "io/mounting_json.h"
 #include "io/protocol_json.h"
+#include "io/streamed_recording.h"
 #include "io/text.h"
 #include "io/trial_checks.h"
 
@@ -75,6 +77,9 @@ class Reader {
  public:
   Reader(const std::string& folder, TrialParts parts)
       : folder_(folder), parts_(parts), root_(ParseRoot()), entries_(), recorded_() {}
+
+  // Leaves samples in their files and hands them out through these.
+  void StreamInto(std::vector<std::unique_ptr<SampleSource>>* samples) { samples_ = samples; }
 
   TrialFolder Read() {
     CheckVersion();
@@ -157,25 +162,44 @@ class Reader {
 
   void ReadRecording(const Entry& entry) {
     const std::string name = FileOf(entry.node);
-    const std::string file = InFolder(name);
-    const FileBytes bytes(file);
-    result_.inputs.push_back({name, Sha256(bytes.text())});
-    RecordingFile read = ParseFile(entry, {.path = file, .name = name, .text = bytes.text()});
+    const bool is_streamed = samples_ != nullptr && FormatOf(entry.node) == nullptr;
+    RecordingFile read = is_streamed ? Survey(entry, name) : ReadWhole(entry, name);
     read.recording.noise = ParseNoise(entry.node, &result_);
     read.recording.mounting = MountingOf(entry);
     result_.trial.observations.recordings.push_back(std::move(read.recording));
     result_.recordings.push_back(std::move(read.facts));
   }
 
+  RecordingFile ReadWhole(const Entry& entry, const std::string& name) {
+    const std::string file = InFolder(name);
+    const FileBytes bytes(file);
+    result_.inputs.push_back({name, Sha256(bytes.text())});
+    RecordingFile read = ParseFile(entry, {.path = file, .name = name, .text = bytes.text()});
+    Covers(read.recording.time.front(), read.recording.time.back());
+    if (samples_ != nullptr)
+      samples_->push_back(
+          std::make_unique<HeldSamples>(std::make_shared<const Recording>(read.recording)));
+    return read;
+  }
+
+  // Of the samples, the head alone.
+  RecordingFile Survey(const Entry& entry, const std::string& name) {
+    RecordingSurvey survey = SurveyRecording(InFolder(name), name, entry.segment, &result_);
+    result_.inputs.push_back({name, survey.sha256});
+    Covers(survey.first, survey.last);
+    samples_->push_back(std::make_unique<StreamedRecording>(InFolder(name), survey));
+    return {std::move(survey.head), std::move(survey.facts)};
+  }
+
+  void Covers(double first, double last) {
+    common_.start = std::max(common_.start, first);
+    common_.end = std::min(common_.end, last);
+  }
+
   // The time that all recordings cover.
   Interval CommonTime() const {
-    Interval common{.label = "", .start = -HUGE_VAL, .end = HUGE_VAL};
-    for (const Recording& recording : result_.trial.observations.recordings) {
-      common.start = std::max(common.start, recording.time.front());
-      common.end = std::min(common.end, recording.time.back());
-    }
-    if (!(common.start < common.end)) FailCommonTime();
-    return common;
+    if (!(common_.start < common_.end)) FailCommonTime();
+    return common_;
   }
 
   [[noreturn]] void FailCommonTime() const {
@@ -189,9 +213,14 @@ class Reader {
   void ReadReference(const JsonNode& node, const Interval& common) {
     const ReferenceEntry entry = ParseReferenceEntry(node, &result_);
     const std::string file = InFolder(FileOf(node));
+    if (parts_ == TrialParts::kRecordings) {
+      Sha256Sum sum;
+      FileParts(file).ForEach([&](std::string_view part) { sum.Add(part); });
+      result_.inputs.push_back({entry.file, sum.Text()});
+      return;
+    }
     const FileBytes bytes(file);
     result_.inputs.push_back({entry.file, Sha256(bytes.text())});
-    if (parts_ == TrialParts::kRecordings) return;
     ReferenceFile read = ParseReference(bytes.text(), file, entry, recorded_, &result_);
     const double offset = entry.clock_offset.value_or(0.0);
     const std::vector<double>& time = read.reference.time;
@@ -209,14 +238,30 @@ class Reader {
   std::vector<Entry> entries_;
   std::set<Segment> recorded_;
   ExportClock clock_;
+  Interval common_{.label = "", .start = -HUGE_VAL, .end = HUGE_VAL};
+  std::vector<std::unique_ptr<SampleSource>>* samples_ = nullptr;  // null: all is held
 };
+
+void RequireFolder(const std::string& folder) {
+  if (!fs::is_directory(folder))
+    throw InputError(folder, 0, "is not a folder; expected a trial folder with a trial.json");
+}
 
 }  // namespace
 
 TrialFolder ReadTrial(const std::string& folder, TrialParts parts) {
-  if (!fs::is_directory(folder))
-    throw InputError(folder, 0, "is not a folder; expected a trial folder with a trial.json");
+  RequireFolder(folder);
   return Reader(folder, parts).Read();
+}
+
+StreamedTrial OpenTrial(const std::string& folder) {
+  RequireFolder(folder);
+  StreamedTrial trial;
+  Reader reader(folder, TrialParts::kRecordings);
+  reader.StreamInto(&trial.samples);
+  static_cast<TrialFolder&>(trial) = reader.Read();
+  trial.trial.observations = WithoutSamples(std::move(trial.trial.observations));
+  return trial;
 }
 
 }  // namespace brachium

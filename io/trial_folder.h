@@ -1,6 +1,7 @@
 // Trial folders: trial.json and the files that it names.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "io/findings.h"
 #include "io/recording_csv.h"
 #include "io/reference_csv.h"
+#include "problems/sample_source.h"
 #include "problems/trial.h"
 
 namespace brachium {
@@ -35,6 +37,17 @@ enum class TrialParts {
 // alone: then its segment's axes are the sensor's. A left arm stays a left arm. Throws InputError
 // `file:line: what, and what was expected` for everything that cannot be mended.
 TrialFolder ReadTrial(const std::string& folder, TrialParts parts = TrialParts::kAll);
+
+// The same of a trial whose samples stay in their files: its recordings are empty.
+struct StreamedTrial : TrialFolder {
+  std::vector<std::unique_ptr<SampleSource>> samples;  // beside trial.observations.recordings
+};
+
+// As ReadTrial, in memory that does not grow with the trial. Every recording's file is read through
+// once, and refused as a whole if a line of it is; what shows only in the numbers, of one recording
+// or between them, is looked for in the first 100 000 samples. Makers' exports are held in memory. A
+// reference is not looked into.
+StreamedTrial OpenTrial(const std::string& folder);
 
 // What a written trial says besides the trial.
 struct TrialExtras {

@@ -69,13 +69,16 @@ int Unknown::Size() const {
 }
 
 ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& options,
-                       double knot_spacing, std::optional<Segment> clock)
-    : observations_(observations), options_(options), clock_sensor_(clock ? SensorOn(*clock) : 0) {
+                       double knot_spacing, std::optional<Segment> clock, Stretch stretch)
+    : observations_(observations),
+      options_(options),
+      stretch_(std::move(stretch)),
+      clock_sensor_(clock ? SensorOn(*clock) : 0) {
   for (const Recording& recording : observations_.recordings) {
     preintegrators_.emplace_back(recording);
     rests_.push_back(DetectRests(recording, {}));
   }
-  timeline_ = MakeTimeline(preintegrators_, knot_spacing, options.bias_node_spacing_s);
+  timeline_ = MakeTimeline(preintegrators_, knot_spacing, options.bias_node_spacing_s, stretch_);
   const int sensors = static_cast<int>(observations_.recordings.size());
   has_thorax_ = observations_.recordings[0].segment == Segment::kThorax;
   size_ = {sensors, has_thorax_ && sensors > 1 ? 2 : 1, static_cast<int>(timeline_.knots.size()),
@@ -91,7 +94,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   intervals_.reserve(U(timeline_.Intervals() * sensors));
   for (int knot = 0; knot < timeline_.Intervals(); ++knot)
     for (int sensor = 0; sensor < sensors; ++sensor) {
-      intervals_.push_back(SumInterval(prior, knot, sensor));
+      intervals_.push_back(SumInterval(prior, knot, sensor, stretch_.ClockOffset(U(sensor))));
       AddGyroscope(knot, sensor);
       AddAccelerometer(knot, sensor);
     }
@@ -108,19 +111,22 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   if (observations_.start_pose) AddHeldPose(*observations_.start_pose, ResidualKind::kStartPose);
   if (observations_.end_pose) AddHeldPose(*observations_.end_pose, ResidualKind::kEndPose);
   for (int contact = 0; contact < size_.contacts; ++contact) AddContact(contact);
+  if (stretch_.start) DropStart();
   SortTerms();
 }
 
-Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor) const {
+Preintegrated ArmProblem::SumInterval(const State& state, int knot, int sensor,
+                                      double clock_offset) const {
   const double start = timeline_.knots[U(knot)], end = timeline_.knots[U(knot) + 1];
   const Eigen::Map<const Vector3d> bias(state.GyroBias(timeline_.NodeBefore(start), sensor));
-  return Samples(sensor).Sum(start, end, bias, *state.Constant(UnknownKind::kClockOffset, sensor));
+  return Samples(sensor).Sum(start, end, bias, clock_offset);
 }
 
-void ArmProblem::SumAgain(const State& state) {
+void ArmProblem::SumAgain(const State& state, const std::vector<double>& clock_offsets) {
   for (int knot = 0; knot < timeline_.Intervals(); ++knot)
     for (int sensor = 0; sensor < size_.sensors; ++sensor)
-      intervals_[U(knot * size_.sensors + sensor)] = SumInterval(state, knot, sensor);
+      intervals_[U(knot * size_.sensors + sensor)] =
+          SumInterval(state, knot, sensor, clock_offsets[U(sensor)]);
   for (Term& term : terms_) {
     if (term.kind == ResidualKind::kGyroscope)
       term.cost = MakeGyroscope(term.first_knot, term.sensor);
@@ -138,6 +144,18 @@ void ArmProblem::SumAgain(const State& state) {
 void ArmProblem::SortTerms() {
   std::stable_sort(terms_.begin(), terms_.end(),
                    [](const Term& a, const Term& b) { return a.first_knot < b.first_knot; });
+}
+
+// A rest that covers the first knot began before it.
+void ArmProblem::DropStart() {
+  std::erase_if(terms_, [](const Term& term) {
+    using enum ResidualKind;
+    const bool of_a_start = term.kind == kPrior || term.kind == kSegmentLength ||
+                            term.kind == kPlaceGauge || term.kind == kAdductionProcess ||
+                            term.kind == kSkinProcess || term.kind == kShoulderProcess ||
+                            term.kind == kZeroVelocity;
+    return of_a_start && term.last_knot == 0;
+  });
 }
 
 Unknown ArmProblem::Describe(int unknown) const {
@@ -241,6 +259,19 @@ void ArmProblem::HoldMountings(State& state) {
   }
 }
 
+Vector3d ArmProblem::BiasFromRests(int sensor) const {
+  Vector3d bias = Vector3d::Zero();
+  double weight = 0.0;
+  for (const RestInterval& rest : rests_[U(sensor)]) {
+    if (rest.slack > 1.0) continue;
+    const double length = rest.probability * (rest.end - rest.start);
+    bias += length * rest.mean_rate;
+    weight += length;
+  }
+  if (weight > 0.0) bias /= weight;
+  return bias;
+}
+
 State ArmProblem::PriorState() const {
   State state(size_);
   const auto set = [](double* x, const Vector3d& value) { Eigen::Map<Vector3d>{x} = value; };
@@ -251,16 +282,10 @@ State ArmProblem::PriorState() const {
     const auto geometry = observations_.arm.segments.find(recording.segment);
     if (geometry != observations_.arm.segments.end())
       set(state.Constant(UnknownKind::kJointVector, sensor), geometry->second.p_distal_B);
-    Vector3d bias = Vector3d::Zero();
-    double weight = 0.0;
-    for (const RestInterval& rest : rests_[U(sensor)]) {
-      if (rest.slack > 1.0) continue;
-      const double length = rest.probability * (rest.end - rest.start);
-      bias += length * rest.mean_rate;
-      weight += length;
-    }
-    if (weight > 0.0) bias /= weight;
+    const Vector3d bias =
+        stretch_.gyro_bias.empty() ? BiasFromRests(sensor) : stretch_.gyro_bias[U(sensor)];
     for (int node = 0; node < size_.nodes; ++node) set(state.GyroBias(node, sensor), bias);
+    *state.Constant(UnknownKind::kClockOffset, sensor) = stretch_.ClockOffset(U(sensor));
   }
   state.Constant(UnknownKind::kCarryingAngle, -1)[0] = observations_.arm.elbow.carrying_angle;
   return state;

@@ -75,9 +75,11 @@ struct Unmodelled {
 class ArmProblem {
  public:
   // Requires observations that the smoother accepts; recordings in proximal-to-distal order.
-  // `clock`: the segment whose sensor's clock is the true time; else the first one's.
+  // `clock`: the segment whose sensor's clock is the true time; else the first one's. A `stretch`
+  // that continues another has no terms about its first knot and the constants alone: a marginal
+  // prior speaks of them.
   ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing,
-             std::optional<Segment> clock = std::nullopt);
+             std::optional<Segment> clock = std::nullopt, Stretch stretch = {});
 
   const Timeline& timeline() const { return timeline_; }
   const StateSize& size() const { return size_; }
@@ -128,11 +130,13 @@ class ArmProblem {
   const Observations& observations() const { return observations_; }
   const ModelOptions& options() const { return options_; }
 
-  // Takes the clocks to be as in `state`: moves rests by them, and sums all samples again about them
-  // and the biases in `state`. Terms and what was planned of them become invalid.
-  void SumAgain(const State& state);
+  // Takes the clocks, by sensor, to be off by `clock_offsets` [s]: moves rests by them, and sums all
+  // samples again about them and the biases in `state`. Terms and what was planned of them become
+  // invalid.
+  void SumAgain(const State& state, const std::vector<double>& clock_offsets);
 
-  // A state with every constant at its prior mean, biases from the rests, knots not yet set.
+  // A state with every constant at its prior mean, biases from the rests, knots not yet set; biases
+  // and clocks of a stretch as it has them.
   State PriorState() const;
 
   // Of the segment itself, whose sensor may sit otherwise than told.
@@ -164,13 +168,15 @@ class ArmProblem {
 
  private:
   void SortTerms();
+  void DropStart();
+  Eigen::Vector3d BiasFromRests(int sensor) const;
   void AddConstants();
   void AddSensorConstants(int sensor);
   bool ShowsMounting(int sensor) const;
   template <int kSize>
   void AddConstant(UnknownKind kind, int sensor, const Eigen::Matrix<double, kSize, 1>& mean,
                    const Eigen::Matrix<double, kSize, 1>& sigma);
-  Preintegrated SumInterval(const State& state, int knot, int sensor) const;
+  Preintegrated SumInterval(const State& state, int knot, int sensor, double clock_offset) const;
   void AddGyroscope(int knot, int sensor);
   void AddAccelerometer(int knot, int sensor);
   void AddChain(int knot, int sensor);
@@ -195,6 +201,7 @@ class ArmProblem {
 
   Observations observations_;
   ModelOptions options_;
+  Stretch stretch_;
   Timeline timeline_;
   StateSize size_;
   int clock_sensor_ = 0;

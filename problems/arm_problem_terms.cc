@@ -1,7 +1,6 @@
 // The terms of the objective: where each residual gets its samples, unknowns and weight.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "problems/arm_problem.h"
 #include "problems/residuals/accelerometer.h"
@@ -16,7 +15,6 @@
 #include "problems/residuals/segment_length.h"
 #include "problems/residuals/shoulder_process.h"
 #include "problems/residuals/skin.h"
-#include "problems/residuals/start_heading.h"
 #include "problems/residuals/thorax_shoulder.h"
 #include "problems/residuals/zero_velocity.h"
 
@@ -34,6 +32,11 @@ constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
 std::size_t U(int i) { return static_cast<std::size_t>(i); }
 
 double Square(double x) { return x * x; }
+
+// The middle of the interval that begins at a knot [s].
+double Middle(const Timeline& timeline, int knot) {
+  return 0.5 * (timeline.knots[U(knot)] + timeline.knots[U(knot) + 1]);
+}
 
 // A rest that is none says its wrong thing linearly from here on, not with the square [sd].
 constexpr double kRestOutlier = 3.0;
@@ -109,20 +112,18 @@ void ArmProblem::AddConstants() {
 std::unique_ptr<TangentCost> ArmProblem::MakeGyroscope(int knot, int sensor) const {
   const Preintegrated& interval = Interval(knot, sensor);
   const Recording& recording = observations_.recordings[U(sensor)];
-  const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
   const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
                           2 * options_.unmodelled_correlation_s * Square(options_.gyro_cross_axis) *
                               interval.rate_squared +
                           std::min(interval.gyro_gap_variance, Square(kLostAttitude));
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
-  return std::unique_ptr<TangentCost>(
-      MakeCost(Gyroscope(interval, q_BS, timeline_.NodeFraction(middle), std::sqrt(variance))));
+  return std::unique_ptr<TangentCost>(MakeCost(Gyroscope(
+      interval, q_BS, timeline_.NodeFraction(Middle(timeline_, knot)), std::sqrt(variance))));
 }
 
 void ArmProblem::AddGyroscope(int knot, int sensor) {
-  const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
-  const int node = timeline_.NodeBefore(middle);
+  const int node = timeline_.NodeBefore(Middle(timeline_, knot));
   terms_.push_back({MakeGyroscope(knot, sensor),
                     {Attitude(knot, sensor), Attitude(knot + 1, sensor), GyroBias(node, sensor),
                      GyroBias(node + 1, sensor), Constant(UnknownKind::kGyroScale, sensor),
@@ -149,15 +150,13 @@ std::unique_ptr<TangentCost> ArmProblem::MakeAccelerometer(int knot, int sensor)
       Whitening2::FromCovariance(WhiteAccelerationCovariance(density, interval.duration));
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
-  const double alpha =
-      timeline_.NodeFraction(0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]));
+  const double alpha = timeline_.NodeFraction(Middle(timeline_, knot));
   return std::unique_ptr<TangentCost>(
       MakeCost(Accelerometer(interval, q_BS, alpha, observations_.gravity, whitening)));
 }
 
 void ArmProblem::AddAccelerometer(int knot, int sensor) {
-  const double middle = 0.5 * (timeline_.knots[U(knot)] + timeline_.knots[U(knot) + 1]);
-  const int node = timeline_.NodeBefore(middle);
+  const int node = timeline_.NodeBefore(Middle(timeline_, knot));
   terms_.push_back(
       {MakeAccelerometer(knot, sensor),
        {Attitude(knot, sensor), Place(knot, sensor), Place(knot + 1, sensor),
@@ -340,35 +339,6 @@ void ArmProblem::AddStart() {
   for (int sensor = 0; sensor < size_.sensors; ++sensor)
     Add(InBodyAxes(Prior<3>(Vector3d::Zero(), Vector3d::Constant(kStartVelocitySigma))),
         ResidualKind::kPrior, {Attitude(0, sensor), Velocity(0, sensor)}, sensor, 0, 0);
-}
-
-void ArmProblem::SetUnmodelled(const std::vector<Unmodelled>& unmodelled) {
-  unmodelled_ = unmodelled;
-  for (Term& term : terms_) {
-    if (term.kind == ResidualKind::kAccelerometer)
-      term.cost = MakeAccelerometer(term.first_knot, term.sensor);
-    if (term.kind == ResidualKind::kSegmentChain)
-      term.cost = MakeChain(term.first_knot, term.sensor);
-  }
-}
-
-void ArmProblem::FixHeadings(const State& state) {
-  std::erase_if(terms_, [](const Term& term) {
-    return term.kind == ResidualKind::kHeadingGauge || term.kind == ResidualKind::kStartHeading;
-  });
-  std::vector<Term> ties;
-  const auto start = [&](int sensor) {
-    return Eigen::Quaterniond(Eigen::Map<const Eigen::Quaterniond>(state.Attitude(0, sensor)));
-  };
-  const auto tie = [&](TangentCost* cost, ResidualKind kind, std::vector<int> unknowns) {
-    ties.push_back({std::unique_ptr<TangentCost>(cost), std::move(unknowns), kind, -1, 0, 0});
-  };
-  tie(MakeCost(HeadingGauge(start(0))), ResidualKind::kHeadingGauge, {Attitude(0, 0)});
-  for (int sensor = 1; sensor < size_.sensors; ++sensor)
-    tie(MakeCost(RelativeStartHeading(start(sensor - 1), start(sensor), kStartHeadingSigma)),
-        ResidualKind::kStartHeading, {Attitude(0, sensor - 1), Attitude(0, sensor)});
-  terms_.insert(terms_.begin(), std::make_move_iterator(ties.begin()),
-                std::make_move_iterator(ties.end()));
 }
 
 }  // namespace brachium

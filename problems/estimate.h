@@ -93,6 +93,12 @@ struct Estimate {
   std::map<std::string, std::vector<double>> sd_angle;
   Diagnostics diagnostics;
   std::vector<StageTime> timing;
+  std::size_t streamed = 0;  // instants that were handed on already and are not in `time`
+
+  std::size_t Instants() const { return streamed + time.size(); }
 };
+
+// Appends the motion of a later piece, which holds the same columns.
+void AppendMotion(const Estimate& piece, Estimate& whole);
 
 }  // namespace brachium

@@ -37,19 +37,22 @@ int Timeline::KnotNearest(double time) const {
 }
 
 Timeline MakeTimeline(const std::vector<Preintegrator>& recordings, double knot_spacing,
-                      double node_spacing) {
-  double begin = recordings[0].Begin(), end = recordings[0].End();
-  for (const Preintegrator& recording : recordings) {
-    begin = std::max(begin, recording.Begin());
-    end = std::min(end, recording.End());
+                      double node_spacing, const Stretch& stretch) {
+  double begin = -HUGE_VAL, end = stretch.end;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    begin = std::max(begin, recordings[i].Begin() + stretch.ClockOffset(i));
+    end = std::min(end, recordings[i].End() + stretch.ClockOffset(i));
   }
+  begin = stretch.start.value_or(begin);
   Timeline timeline;
   timeline.knots.push_back(begin);
   const double step = std::max(knot_spacing, 0.0) * (1 - kRounding);
   const double least = 0.5 * recordings[0].Period();  // no sliver of an interval at the ends
-  for (const double edge : recordings[0].edges())
+  for (const double own : recordings[0].edges()) {
+    const double edge = own + stretch.ClockOffset(0);
     if (edge > timeline.knots.back() + std::max(step, least) && edge < end - least)
       timeline.knots.push_back(edge);
+  }
   timeline.knots.push_back(end);
 
   timeline.nodes.push_back(0);

@@ -1,14 +1,16 @@
 #include "solver/batch_smoother.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "solver/clocks.h"
 #include "solver/covariance.h"
 #include "solver/diagnosis.h"
 #include "solver/least_squares.h"
 #include "solver/observability.h"
+#include "solver/residual_sums.h"
 #include "solver/stage_clock.h"
 #include "solver/standard_deviations.h"
+#include "solver/stretch_smoother.h"
 #include "solver/trajectory.h"
 #include "solver/unmodelled.h"
 #include "solver/wearing.h"
@@ -48,39 +50,26 @@ bool OnSkin(const ArmProblem& problem) {
                      [](const Unmodelled& left) { return left.acceleration > kOnSkin; });
 }
 
-// The linear effect of a clock is good for this much of it [s].
-constexpr double kClockReach = 0.005;
-constexpr int kMostSums = 4;
-
-// A clock whose sd is not smaller than this share of its prior's is not followed: in slow movement of
-// sensors that are wrong otherwise it would run away.
-constexpr double kInformed = 1.0 / 3;
-
-// Sums the samples again where a clock was found further than that from where it was taken to be, and
-// the movement tells it; says whether it did.
+// Sums the samples again where the movement tells a clock to be elsewhere; says whether it did.
+// `workspace` then holds a pass over the new sums.
 bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
-  bool moved = false;
-  for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
-    const double offset = *state.Constant(UnknownKind::kClockOffset, sensor);
-    if (std::abs(offset - problem.Interval(0, sensor).clock_offset) <= kClockReach) continue;
-    const double sd = DrawnSd(workspace, problem.Constant(UnknownKind::kClockOffset, sensor));
-    moved = moved || sd < kInformed * problem.options().clock_offset_sigma_s;
-  }
-  if (!moved) return false;
-  problem.SumAgain(state);
+  const ClocksFound clocks = FindClocks(problem, state, workspace);
+  if (!clocks.far) return false;
+  problem.SumAgain(state, clocks.offsets);
   workspace.plan = FrontPlan(problem);
   workspace.Linearise(problem, state);
   return true;
 }
 
-// Rms of the whitened residuals over their degrees of freedom: 1 where the model is right.
-double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
-  double count = 0.0, squares = 0.0;
-  for (const ResidualStatistics& kind : diagnostics.residuals) {
-    count += static_cast<double>(kind.count);
-    squares += static_cast<double>(kind.count) * kind.rms * kind.rms;
-  }
-  return std::sqrt(squares / (count - unknowns));
+Estimate SmoothedInStretches(const Observations& observations, const SmootherOptions& options,
+                             const Progress& progress) {
+  StreamedObservations trial = Streamed(observations);
+  Estimate motion;
+  const auto collect = [&](const Estimate& piece) { AppendMotion(piece, motion); };
+  Estimate estimate = SmoothInStretches(trial, options, collect, progress);
+  estimate.streamed = 0;
+  AppendMotion(motion, estimate);
+  return estimate;
 }
 
 }  // namespace
@@ -88,12 +77,14 @@ double ResidualScale(const Diagnostics& diagnostics, int unknowns) {
 bool SmootherOptions::IsValid(std::string* why) const {
   if (!(knot_spacing_s >= 0.0)) return *why = "knot_spacing_s must not be negative", false;
   if (!(window_s > 0.0)) return *why = "window_s must be greater than 0", false;
-  if (!(window_advance_s > 0.0 && window_advance_s <= window_s))
-    return *why = "window_advance_s must be greater than 0 and at most window_s", false;
+  if (!(window_advance_s >= 0.0 && window_advance_s <= window_s))
+    return *why = "window_advance_s must not be negative, and at most window_s", false;
   if (weight_iterations < 0) return *why = "weight_iterations must not be negative", false;
   if (!SolverNamed(solver)) return *why = "solver must be chain or ceres", false;
   if (threads < 1) return *why = "threads must be at least 1", false;
   if (!(shoulder_sigma_m >= 0.0)) return *why = "shoulder_sigma_m must not be negative", false;
+  if (scale_sd_by_residuals && !whole_trial)
+    return *why = "scale_sd_by_residuals needs whole_trial", false;
   return model.IsValid(why);
 }
 
@@ -102,6 +93,7 @@ bool BatchSmoother::Accepts(const Observations& observations, std::string* why) 
 }
 
 Estimate BatchSmoother::Run(const Observations& observations, const Progress& progress) const {
+  if (!options_.whole_trial) return SmoothedInStretches(observations, options_, progress);
   StageClock watch;
   Estimate estimate;
   estimate.method = "smoother";
@@ -117,7 +109,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
 
   const SolverKind solver = SolverNamed(options_.solver).value();
   State state = problem.PriorState();
-  const bool judges_skin = options_.whole_trial && options_.weight_iterations > 0;
+  const bool judges_skin = options_.weight_iterations > 0;
   if (!judges_skin) problem.HoldMountings(state);
   // The first weights with lever arms and scales as told: free ones would absorb what the model
   // leaves out, and the weights would confirm them.
@@ -125,18 +117,17 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
   const WindowReport windows =
       SolveForward(problem, state,
                    {.length = options_.window_s,
-                    .advance = options_.window_advance_s,
-                    .only_a_start = options_.whole_trial,
+                    .only_a_start = true,
                     .solver = solver,
                     .unmodelled = judges_skin ? &left_by_windows : nullptr},
                    progress);
-  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate(problem));
+  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate());
   stage("windows");
 
   ChainWorkspace workspace(problem);
   int sums = kMostSums;
   bool followed = false;
-  for (int i = 1; i < options_.weight_iterations && options_.whole_trial; i += followed ? 0 : 1) {
+  for (int i = 1; i < options_.weight_iterations; i += followed ? 0 : 1) {
     if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
     SolveWholeTrial(problem, state,
                     {.solver = solver,
@@ -147,17 +138,17 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     followed = sums-- > 0 && FollowsClocks(problem, state, workspace);
     UnmodelledSums left(problem);
     left.Add(problem, state, 0, problem.size().knots, workspace);
-    problem.SetUnmodelled(left.Estimate(problem));
+    problem.SetUnmodelled(left.Estimate());
   }
   const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
   if (on_skin) problem.HoldMountings(state);
   if (progress) progress("whole trial", 0.9);
-  for (int i = 0; i < kMostSums && options_.whole_trial; ++i) {
+  for (int i = 0;; ++i) {
     SolveWholeTrial(
         problem, state,
         {.solver = solver, .most_iterations = 200, .step_in_sd = 0.01, .threads = options_.threads},
         workspace, diagnostics);
-    if (!FollowsClocks(problem, state, workspace)) break;
+    if (i == kMostSums || !FollowsClocks(problem, state, workspace)) break;
   }
   stage("whole trial");
 
@@ -174,7 +165,6 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
     diagnostics.headings = DescribeHeadings(problem, state, poses);
     stage("covariance");
   } else {
-    if (!options_.whole_trial) workspace.Linearise(problem, state);
     certainty.singular = workspace.sweep.Undetermined(workspace.plan);
   }
   diagnostics.singular = !certainty.singular.empty();
@@ -187,7 +177,7 @@ Estimate BatchSmoother::Run(const Observations& observations, const Progress& pr
         "Sensors move on their segments: mountings are taken as they were told");
   for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
     diagnostics.notes.push_back(note);
-  const double residual_scale = ResidualScale(diagnostics, workspace.plan.columns());
+  const double residual_scale = ResidualScale(diagnostics.residuals, workspace.plan.columns());
   if (options_.scale_sd_by_residuals) ScaleStandardDeviations(residual_scale, estimate);
   diagnostics.rests = DescribeRests(problem);
   diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},

@@ -12,8 +12,8 @@ namespace brachium {
 struct SmootherOptions {
   double knot_spacing_s = 0.1;
   bool whole_trial = true;
-  double window_s = 5.0;
-  double window_advance_s = 2.5;
+  double window_s = 20.0;
+  double window_advance_s = 0.0;
   int weight_iterations = 2;
   bool covariance = true;
   bool scale_sd_by_residuals = false;
@@ -24,6 +24,8 @@ struct SmootherOptions {
 
   bool IsValid(std::string* why) const;
 
+  double WindowAdvance() const { return window_advance_s > 0.0 ? window_advance_s : window_s / 2; }
+
   // Names, values and help texts, once: flags, run.flags, summary.json and sweeps read them here.
   // `Options` is SmootherOptions or const SmootherOptions.
   template <typename Options, typename Visitor>
@@ -32,14 +34,18 @@ struct SmootherOptions {
           "Time between instants with unknowns [s]. Smaller follows faster motion and costs more; "
           "0 puts one at every sample.");
     visit("whole_trial", options.whole_trial,
-          "Solve the whole trial at once after the windows. Off: windows only.");
+          "Solve the whole trial at once after the windows. Off: windows only, stretch by stretch "
+          "in memory that does not grow with the trial; standard deviations then know nothing of "
+          "what comes later.");
     visit("window_s", options.window_s, "Length of a forward window [s].");
     visit("window_advance_s", options.window_advance_s,
-          "From the start of one window to the start of the next [s]; where the whole trial is "
-          "solved, windows do not overlap.");
-    visit("weight_iterations", options.weight_iterations,
-          "How often the accelerometers' weights are estimated from the residuals and the trial "
-          "solved again. 0 keeps the first guess.");
+          "From the start of one window to the start of the next [s]; 0: half a window. Where the "
+          "whole trial is solved, windows do not overlap.");
+    visit(
+        "weight_iterations", options.weight_iterations,
+        "How often the accelerometers' weights are estimated from the residuals: first from those "
+        "of the windows, then of the whole trial, which is solved again each time. 0 keeps the "
+        "first guess. Without the whole trial any other number means: of all stretches so far.");
     visit("covariance", options.covariance,
           "Tell standard deviations, of the constants too, and what only its prior holds. Off: "
           "about a third of the time is saved.");

@@ -44,9 +44,9 @@ class Descent {
     if (!here_.IsFinite()) return Ended(false, "The start has no finite cost.");
     while (summary_.iterations < options_.most_iterations) {
       if (damping_ > kMostDamping) return Ended(false, "No step lowers the cost.");
-      const double foretold = sweep_.Step(plan_, step_);
-      if (damping_ <= kNoDamping && foretold <= options_.least_decrease * here_.cost)
+      if (damping_ <= kNoDamping && 0.5 * here_.length_2 <= options_.least_decrease * here_.cost)
         return Ended(true, "The cost hardly falls any more.");
+      const double foretold = sweep_.Step(plan_, step_);
       if (damping_ <= kNoDamping && IsSmall()) {
         values_.Set(step_, 1.0);
         here_.cost -= foretold;
@@ -56,7 +56,7 @@ class Descent {
       if (TryMixed(foretold) || Try(foretold)) continue;
       values_.Restore();
       if (foretold < kRounding * here_.cost) {
-        sweep_.Run(plan_, kLeastDamping);
+        if (damping_ <= kNoDamping) sweep_.Run(plan_, kLeastDamping);
         return Ended(true, "The cost does not fall any further in double precision.");
       }
       Refuse();
@@ -123,8 +123,8 @@ class Descent {
     here_ = sweep_.Run(plan_, damping_);
   }
 
+  // The last pass is left as good as undamped, for those who ask it what is certain.
   SolveSummary Ended(bool converged, const char* message) {
-    if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
     if (damping_ > kNoDamping) sweep_.Run(plan_, kLeastDamping);
     summary_.final_cost = here_.cost;
     summary_.gradient_norm = here_.gradient_norm;

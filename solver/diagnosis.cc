@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "solver/residual_sums.h"
+
 namespace brachium {
 namespace {
 
@@ -98,30 +100,9 @@ std::string UninformedAxes(const Eigen::VectorXd& sd, const std::vector<double>&
 }  // namespace
 
 std::vector<ResidualStatistics> DescribeResiduals(const ArmProblem& problem, State& state) {
-  struct Sum {
-    std::size_t count = 0;
-    double squares = 0.0;
-  };
-  std::map<std::pair<ResidualKind, int>, Sum> sums;  // by kind and sensor
-  std::vector<const double*> values;
-  std::vector<double> r;
-  for (const Term& term : problem.terms()) {
-    values.clear();
-    for (const int unknown : term.unknowns) values.push_back(problem.Value(state, unknown));
-    r.resize(U(term.cost->num_residuals()));
-    term.cost->Evaluate(values.data(), r.data(), nullptr);
-    Sum& sum = sums[{term.kind, term.sensor}];
-    sum.count += r.size();
-    for (const double value : r) sum.squares += value * value;
-  }
-  std::vector<ResidualStatistics> statistics;
-  for (const auto& [of, sum] : sums) {
-    std::string name(Name(of.first));
-    if (of.second >= 0) name.append("/").append(SegmentName(problem, of.second));
-    statistics.push_back(
-        {name, sum.count, std::sqrt(sum.squares / static_cast<double>(sum.count))});
-  }
-  return statistics;
+  ResidualSums sums;
+  sums.Add(problem, state, 0, problem.size().knots);
+  return sums.Statistics();
 }
 
 std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& state,
@@ -157,15 +138,14 @@ std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& 
   return constants;
 }
 
-std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty& certainty) {
+std::vector<std::string> ConstantsHeldByPrior(const ArmProblem& problem, const Certainty& certainty,
+                                              double start, double end) {
   std::vector<std::string> sentences;
-  const Timeline& timeline = problem.timeline();
-  const std::string whole = Seconds(timeline.knots.front(), timeline.knots.back());
-  for (int unknown = problem.FirstConstant(); unknown < problem.unknowns(); ++unknown) {
+  const std::string whole = Seconds(start, end);
+  for (const auto& [unknown, sd] : certainty.constant_sd) {
     const Unknown u = problem.Describe(unknown);
-    if (u.held) continue;
+    if (u.held || u.kind == UnknownKind::kGyroBias) continue;
     const auto entry = Describe(problem, u);
-    const Eigen::VectorXd& sd = certainty.constant_sd.at(unknown);
     if (u.kind == UnknownKind::kCarryingAngle) {
       const ElbowModel& elbow = problem.observations().arm.elbow;
       if (sd[0] > kUninformed * elbow.carrying_angle_sigma)
@@ -177,6 +157,14 @@ std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty&
       if (!axes.empty()) sentences.push_back(entry->name + " (" + axes + "), " + whole);
     }
   }
+  return sentences;
+}
+
+std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty& certainty) {
+  const Timeline& timeline = problem.timeline();
+  const double start = timeline.knots.front(), end = timeline.knots.back();
+  const std::string whole = Seconds(start, end);
+  std::vector<std::string> sentences = ConstantsHeldByPrior(problem, certainty, start, end);
   for (int sensor = 0; sensor < problem.size().sensors; ++sensor) {
     const double sigma = problem.observations().recordings[U(sensor)].noise.gyro_bias_sigma;
     for (int node = 0; node < problem.size().nodes; ++node) {

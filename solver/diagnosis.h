@@ -18,6 +18,10 @@ std::vector<Constant> DescribeConstants(const ArmProblem& problem, const State& 
 // their prior. One sentence each, with segment and time span.
 std::vector<std::string> HeldByPrior(const ArmProblem& problem, const Certainty& certainty);
 
+// Of these the constants that `certainty` has, of a trial from `start` to `end` [s].
+std::vector<std::string> ConstantsHeldByPrior(const ArmProblem& problem, const Certainty& certainty,
+                                              double start, double end);
+
 // Constants that the samples moved far away from what was told or assumed, one sentence each: a wrong
 // number in the trial, or a model that does not hold.
 std::vector<std::string> FarFromTold(const ArmProblem& problem, const State& state);

@@ -54,21 +54,18 @@ Elimination::Elimination(const ArmProblem& problem, State& state, const CarriedP
 // L of what comes last: L Lᵀ is the information that is left about it, and L y its gradient.
 CarriedPrior Elimination::Carry() const {
   const FrontPlan::Front& last = plan_.fronts().back();
-  const int past = static_cast<int>(plan_.fronts().size());
+  const int kept = plan_.handed_on(), first = last.columns - kept;
   std::vector<int> unknowns, sizes;
   std::vector<double> point;
-  int first = last.columns;
   for (const FrontPlan::Member& member : plan_.Members(last)) {
+    if (member.column < first) continue;
     const FrontPlan::Variable& variable = plan_.variables()[U(member.variable)];
-    if (variable.last_front < past) continue;
-    first = std::min(first, member.column);
     unknowns.push_back(variable.unknown);
     sizes.push_back(variable.size);
     point.insert(point.end(), variable.value, variable.value + variable.size);
   }
   const Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>> factor(
       sweep_.Factor(last), last.Stride(), last.columns, Eigen::OuterStride<>(last.Stride()));
-  const int kept = last.columns - first;
   MatrixXd J = factor.block(first, first, kept, kept).transpose().triangularView<Eigen::Upper>();
   VectorXd r = factor.row(last.columns).segment(first, kept);
   for (int i = 0; i < kept; ++i) {
@@ -80,6 +77,8 @@ CarriedPrior Elimination::Carry() const {
                                                 static_cast<Eigen::Index>(point.size()));
   return {std::make_unique<MarginalPrior>(sizes, point_vector, J, r), unknowns};
 }
+
+int Elimination::eliminated() const { return plan_.columns() - plan_.handed_on(); }
 
 void Elimination::VisitCovariances(const Visitor& visit) const {
   const std::size_t widest = U(plan_.widest_stride());

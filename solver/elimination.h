@@ -44,6 +44,9 @@ class Elimination {
   // plan that hands on.
   CarriedPrior Carry() const;
 
+  // Of the unknowns that do not stay, by their tangent size.
+  int eliminated() const;
+
   // A pivot block was not positive definite: the information does not determine its unknowns.
   std::vector<int> singular() const { return sweep_.Undetermined(plan_); }
 

@@ -23,13 +23,12 @@ BRACHIUM_INLINE const Lane& At(const double* x) { return *reinterpret_cast<const
 constexpr int LaneOf(int row) { return row / kLane * kLane; }
 
 // Rows [begin, end) of two columns: c_0 += M w_0, c_1 += M w_1. M has kWidth columns; begin and end
-// are multiples of kLane. kSet: = for +=.
-template <int kWidth, bool kSet = false>
+// are multiples of kLane.
+template <int kWidth>
 BRACHIUM_INLINE void AddToTwo(const double* M, int stride, const double* w_0, const double* w_1,
                               int begin, int end, double* c_0, double* c_1) {
   for (int row = begin; row < end; row += kLane) {
-    Lane sum_0 = {}, sum_1 = {};
-    if (!kSet) sum_0 = At(c_0 + row), sum_1 = At(c_1 + row);
+    Lane sum_0 = At(c_0 + row), sum_1 = At(c_1 + row);
     for (int m = 0; m < kWidth; ++m) {
       const Lane entry = At(M + m * stride + row);
       sum_0 += w_0[m] * entry;
@@ -40,61 +39,116 @@ BRACHIUM_INLINE void AddToTwo(const double* M, int stride, const double* w_0, co
   }
 }
 
-template <int kWidth, bool kSet = false>
+template <int kWidth>
 BRACHIUM_INLINE void AddToOne(const double* M, int stride, const double* w, int begin, int end,
                               double* c) {
   for (int row = begin; row < end; row += kLane) {
-    Lane sum = {};
-    if (!kSet) sum = At(c + row);
+    Lane sum = At(c + row);
     for (int m = 0; m < kWidth; ++m) sum += w[m] * At(M + m * stride + row);
     At(c + row) = sum;
   }
 }
 
-// Columns [first, columns) of the lower triangle: C += sign M Wᵀ, where row j of W lies in M's row j.
-template <int kWidth, bool kSet>
-BRACHIUM_INLINE void AddSquare(double sign, const double* M, int stride, int first, int columns,
-                               double* C) {
+// Columns [first, end) of the lower triangle: C -= M Mᵀ, M with kWidth columns.
+template <int kWidth>
+BRACHIUM_INLINE void SubtractSquare(const double* M, int stride, int first, int end, double* C) {
   double w_0[kWidth], w_1[kWidth];
   int j = first;
-  for (; j + 1 < columns; j += 2) {
-    for (int m = 0; m < kWidth; ++m) w_0[m] = sign * M[m * stride + j];
-    for (int m = 0; m < kWidth; ++m) w_1[m] = sign * M[m * stride + j + 1];
-    AddToTwo<kWidth, kSet>(M, stride, w_0, w_1, LaneOf(j), stride, C + j * stride,
-                           C + (j + 1) * stride);
+  for (; j + 1 < end; j += 2) {
+    for (int m = 0; m < kWidth; ++m) w_0[m] = -M[m * stride + j];
+    for (int m = 0; m < kWidth; ++m) w_1[m] = -M[m * stride + j + 1];
+    AddToTwo<kWidth>(M, stride, w_0, w_1, LaneOf(j), stride, C + j * stride, C + (j + 1) * stride);
   }
-  if (j == columns) return;
-  for (int m = 0; m < kWidth; ++m) w_0[m] = sign * M[m * stride + j];
-  AddToOne<kWidth, kSet>(M, stride, w_0, LaneOf(j), stride, C + j * stride);
+  if (j == end) return;
+  for (int m = 0; m < kWidth; ++m) w_0[m] = -M[m * stride + j];
+  AddToOne<kWidth>(M, stride, w_0, LaneOf(j), stride, C + j * stride);
 }
 
-template <bool kSet>
-BRACHIUM_INLINE void AddSquare(int width, double sign, const double* M, int stride, int first,
-                               int columns, double* C) {
+BRACHIUM_INLINE void SubtractSquare(int width, const double* M, int stride, int first, int end,
+                                    double* C) {
   switch (width) {
     case 4:
-      return AddSquare<4, kSet>(sign, M, stride, first, columns, C);
+      return SubtractSquare<4>(M, stride, first, end, C);
     case 3:
-      return AddSquare<3, kSet>(sign, M, stride, first, columns, C);
+      return SubtractSquare<3>(M, stride, first, end, C);
     case 2:
-      return AddSquare<2, kSet>(sign, M, stride, first, columns, C);
+      return SubtractSquare<2>(M, stride, first, end, C);
     default:
-      return AddSquare<1, kSet>(sign, M, stride, first, columns, C);
+      return SubtractSquare<1>(M, stride, first, end, C);
   }
 }
 
-// Σ a_i b_i over [begin, end); end is a multiple of kLane.
-BRACHIUM_INLINE double Dot(const double* a, const double* b, int begin, int end) {
-  double sum = 0.0;
-  for (; begin < end && begin % kLane != 0; ++begin) sum += a[begin] * b[begin];
-  Lane even = {}, odd = {};
-  for (; begin + kLane < end; begin += 2 * kLane) {
-    even += At(a + begin) * At(b + begin);
-    odd += At(a + begin + kLane) * At(b + begin + kLane);
+// Adds Aᵀ B of kBlocks neighbouring blocks B at `to[b]`, with A's kColumns columns `stride` apart.
+template <int kColumns, int kBlocks>
+BRACHIUM_INLINE void AddProducts(const double* A, const double* B, int rows, int stride,
+                                 double* const* to) {
+  Lane sums[kBlocks][kColumns] = {};
+  for (int m = 0; m < rows; ++m)
+    for (int b = 0; b < kBlocks; ++b) {
+      const Lane row = At(B + (b * rows + m) * kLane);
+      for (int c = 0; c < kColumns; ++c) sums[b][c] += A[m * kLane + c] * row;
+    }
+  for (int b = 0; b < kBlocks; ++b)
+    for (int c = 0; c < kColumns; ++c) At(to[b] + c * stride) += sums[b][c];
+}
+
+// A block's products with itself and with all that follow it, of which there are `count` with it.
+template <int kColumns>
+BRACHIUM_INLINE void AddRow(const double* W, int rows, int count, const FrontBlock* blocks,
+                            int gradient_row, int stride) {
+  double* const column = blocks[0].column;
+  int i = 0;
+  for (; i + 1 < count; i += 2) {
+    double* const to[] = {column + blocks[i].row, column + blocks[i + 1].row};
+    AddProducts<kColumns, 2>(W, W + i * rows * kLane, rows, stride, to);
   }
-  if (begin < end) even += At(a + begin) * At(b + begin);
-  even += odd;
-  return sum + ((even[0] + even[1]) + (even[2] + even[3]));
+  double* const to[] = {column + blocks[i < count ? i : 0].row, column + gradient_row};
+  if (i < count)
+    AddProducts<kColumns, 2>(W, W + i * rows * kLane, rows, stride, to);
+  else
+    AddProducts<kColumns, 1>(W, W + i * rows * kLane, rows, stride, to + 1);
+}
+
+BRACHIUM_INLINE double Sum(Lane lane) { return (lane[0] + lane[1]) + (lane[2] + lane[3]); }
+
+// d_k = -(y_k + Σ_m>k L(m, k) d_m) / L(k, k) for kColumns columns from `begin` on, last column first.
+template <int kColumns, int kSides>
+BRACHIUM_INLINE void BackSubstituteColumns(const double* L, int stride, int begin,
+                                           const double* const* y, double* const* d) {
+  const double* columns = L + begin * stride;
+  const int end = begin + kColumns;
+  Lane sums[kSides][kColumns] = {};
+  int row = end;
+  for (; row % kLane != 0 && row < stride; ++row)
+    for (int s = 0; s < kSides; ++s)
+      for (int c = 0; c < kColumns; ++c) sums[s][c][0] += columns[c * stride + row] * d[s][row];
+  for (; row < stride; row += kLane)
+    for (int c = 0; c < kColumns; ++c) {
+      const Lane entry = At(columns + c * stride + row);
+      for (int s = 0; s < kSides; ++s) sums[s][c] += entry * At(d[s] + row);
+    }
+  for (int s = 0; s < kSides; ++s)
+    for (int c = kColumns - 1; c >= 0; --c) {
+      const double* column = columns + c * stride;
+      double sum = y[s][begin + c] + Sum(sums[s][c]);
+      for (int m = begin + c + 1; m < end; ++m) sum += column[m] * d[s][m];
+      d[s][begin + c] = -sum / column[begin + c];
+    }
+}
+
+template <int kSides>
+BRACHIUM_INLINE void BackSubstituteSome(const double* L, int stride, int begin, int pivots,
+                                        const double* const* y, double* const* d) {
+  switch (pivots - begin) {
+    case 1:
+      return BackSubstituteColumns<1, kSides>(L, stride, begin, y, d);
+    case 2:
+      return BackSubstituteColumns<2, kSides>(L, stride, begin, y, d);
+    case 3:
+      return BackSubstituteColumns<3, kSides>(L, stride, begin, y, d);
+    default:
+      return BackSubstituteColumns<4, kSides>(L, stride, begin, y, d);
+  }
 }
 
 // X ← X L⁻¹ in place: x_k = (x_k - Σ_m>k L(m, k) x_m) / L(k, k), last column first.
@@ -102,13 +156,29 @@ BRACHIUM_INLINE void DivideByFactor(const double* L, int stride, int pivots, dou
   for (int k = pivots - 1; k >= 0; --k) {
     double* x = X + k * stride;
     const double* l = L + k * stride;
-    for (int m = k + 1; m < pivots; ++m) {
+    int m = k + 1;
+    for (; m + 4 <= pivots; m += 4) {
+      const double w[] = {-l[m], -l[m + 1], -l[m + 2], -l[m + 3]};
+      AddToOne<4>(X + m * stride, stride, w, 0, stride, x);
+    }
+    for (; m < pivots; ++m) {
       const double w = -l[m];
       AddToOne<1>(X + m * stride, stride, &w, 0, stride, x);
     }
     const double inverse = 1.0 / l[k];
     for (int row = 0; row < stride; row += kLane) At(x + row) *= inverse;
   }
+}
+
+// Of kColumns columns of X, the products with z.
+template <int kColumns>
+BRACHIUM_INLINE void Dots(const double* X, int stride, const double* z, double* dots) {
+  Lane sums[kColumns] = {};
+  for (int row = 0; row < stride; row += kLane) {
+    const Lane entry = At(z + row);
+    for (int c = 0; c < kColumns; ++c) sums[c] += At(X + c * stride + row) * entry;
+  }
+  for (int c = 0; c < kColumns; ++c) dots[c] = Sum(sums[c]);
 }
 
 // Columns [j, j + kWidth) of M times the same rows of X, added to the rows [begin, stride) of Z.
@@ -125,24 +195,38 @@ BRACHIUM_INLINE void AddProduct(const double* M, const double* X, int stride, in
 }  // namespace
 
 BRACHIUM_FOR_THIS_MACHINE
-void SquareColumns(const double* W, int rows, int columns, double* P) {
-  const int stride = Padded(columns);
-  const int first = rows == 6 ? 3 : std::min(4, rows);  // 6 are two times 3
-  AddSquare<true>(first, 1.0, W, stride, 0, columns, P);
-  for (int row = first; row < rows; row += 4)
-    AddSquare<false>(std::min(4, rows - row), 1.0, W + row * stride, stride, 0, columns, P);
+void AddSquare(const double* W, int rows, std::span<const FrontBlock> blocks, int gradient_row,
+               int stride, double* squares, double* gradient) {
+  const int count = static_cast<int>(blocks.size()), size = rows * kLane;
+  const double* r = W + count * size;
+  for (int b = 0; b < count; ++b, W += size) {
+    Lane square = {}, slope = {};
+    for (int m = 0; m < size; m += kLane) {
+      square += At(W + m) * At(W + m);
+      slope += r[m] * At(W + m);
+    }
+    At(squares + b * kLane) = square;
+    At(gradient + b * kLane) = slope;
+    const FrontBlock* block = blocks.data() + b;
+    if (block->columns == 3)
+      AddRow<3>(W, rows, count - b, block, gradient_row, stride);
+    else if (block->columns == 2)
+      AddRow<2>(W, rows, count - b, block, gradient_row, stride);
+    else
+      AddRow<1>(W, rows, count - b, block, gradient_row, stride);
+  }
 }
 
 BRACHIUM_FOR_THIS_MACHINE
-int FactorFront(double* H, int stride, int columns, int pivots, const double* least) {
+int FactorFront(double* E, double* S, int stride, int columns, int pivots, const double* least) {
   int raised = 0;
   for (int begin = 0; begin < pivots; begin += 4) {
     const int end = std::min(begin + 4, pivots);
     for (int k = begin; k < end; ++k) {
-      double* column = H + k * stride;
+      double* column = E + k * stride;
       for (int m = begin; m < k; ++m) {
-        const double w = -H[m * stride + k];
-        AddToOne<1>(H + m * stride, stride, &w, LaneOf(k), stride, column);
+        const double w = -E[m * stride + k];
+        AddToOne<1>(E + m * stride, stride, &w, LaneOf(k), stride, column);
       }
       if (!(column[k] > least[k])) {
         column[k] = kRaised * least[k];
@@ -152,18 +236,23 @@ int FactorFront(double* H, int stride, int columns, int pivots, const double* le
       for (int row = LaneOf(k); row < stride; row += kLane) At(column + row) *= inverse;
       column[k] = root;
     }
-    AddSquare<false>(end - begin, -1.0, H + begin * stride, stride, end, columns, H);
+    SubtractSquare(end - begin, E + begin * stride, stride, end, pivots, E);
+    SubtractSquare(end - begin, E + begin * stride, stride, pivots, columns, S);
   }
   return raised;
 }
 
 BRACHIUM_FOR_THIS_MACHINE
-void BackSubstitute(const double* L, int stride, int columns, int pivots, const double* y,
-                    double* d) {
-  for (int row = columns; row < stride; ++row) d[row] = 0.0;
-  for (int k = pivots - 1; k >= 0; --k) {
-    const double* column = L + k * stride;
-    d[k] = -(Dot(column, d, k + 1, stride) + y[k]) / column[k];
+void BackSubstitute(const double* L, int stride, int columns, int pivots, int sides,
+                    const double* const* y, double* const* d) {
+  for (int side = 0; side < sides; ++side)
+    for (int row = columns; row < stride; ++row) d[side][row] = 0.0;
+  for (int begin = Padded(pivots) - kLane; begin >= 0; begin -= kLane) {
+    int side = 0;
+    for (; side + 3 <= sides; side += 3)
+      BackSubstituteSome<3>(L, stride, begin, pivots, y + side, d + side);
+    for (; side < sides; ++side)
+      BackSubstituteSome<1>(L, stride, begin, pivots, y + side, d + side);
   }
 }
 
@@ -186,8 +275,11 @@ void ExtendCovariance(const double* L, int stride, int columns, int pivots, doub
   for (int k = 0; k < pivots; ++k) std::copy_n(X + k * stride, pivots, Z + k * stride);
   for (int k = 0; k < pivots; ++k) {
     double* column = S + k * stride;
-    for (int m = 0; m <= k; ++m)
-      column[m] = S[m * stride + k] = Dot(X + m * stride, Z + k * stride, 0, stride);
+    const double* z = Z + k * stride;
+    int m = 0;
+    for (; m + 4 <= k + 1; m += 4) Dots<4>(X + m * stride, stride, z, column + m);
+    for (; m <= k; ++m) Dots<1>(X + m * stride, stride, z, column + m);
+    for (m = 0; m < k; ++m) S[m * stride + k] = column[m];
     for (int row = pivots; row < columns; ++row)
       column[row] = S[row * stride + k] = -Z[k * stride + row];
     std::fill(column + columns, column + stride, 0.0);

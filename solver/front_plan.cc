@@ -18,8 +18,6 @@ bool IsGeometry(UnknownKind kind) {
          kind == UnknownKind::kSkin;
 }
 
-int FrontPlan::Front::Stride() const { return Padded(columns + 1); }
-
 FrontPlan::FrontPlan(const ArmProblem& problem)
     : last_knot_(U(problem.unknowns()), -1), variable_of_(U(problem.unknowns()), -1) {
   for (const Term& term : problem.terms())
@@ -35,7 +33,7 @@ void FrontPlan::Reset() {
   members_.clear();
   runs_.clear();
   active_.clear();
-  columns_ = widest_stride_ = most_residuals_ = widest_term_ = most_blocks_ = 0;
+  columns_ = handed_on_ = widest_stride_ = most_residuals_ = widest_term_ = most_blocks_ = 0;
   storage_ = 0;
 }
 
@@ -76,7 +74,7 @@ void FrontPlan::AddTerm(const ArmProblem& problem, State& state, const TangentCo
     fronts_.push_back({.knot = knot, .first_term = terms_.size()});
   const int front = static_cast<int>(fronts_.size()) - 1;
   ++fronts_.back().terms;
-  PlannedTerm term{&cost, loss, blocks_.size(), static_cast<int>(unknowns.size()), 0};
+  PlannedTerm term{&cost, loss, blocks_.size(), static_cast<int>(unknowns.size())};
   int tangent = 0;
   for (const int unknown : unknowns) {
     const int index = VariableOf(problem, state, unknown, hold_geometry);
@@ -85,7 +83,6 @@ void FrontPlan::AddTerm(const ArmProblem& problem, State& state, const TangentCo
     const int columns = TangentSize(variable.size);
     blocks_.push_back({variable.value, index, columns, -1, -1});
     tangent += columns;
-    term.columns += variable.tangent;
   }
   terms_.push_back(term);
   most_residuals_ = std::max(most_residuals_, cost.num_residuals());
@@ -119,6 +116,8 @@ void FrontPlan::OrderVariables() {
     index = static_cast<int>(i);
     variables_[i].column = columns_;
     columns_ += variables_[i].tangent;
+    if (variables_[i].last_front == static_cast<int>(fronts_.size()))
+      handed_on_ += variables_[i].tangent;
   }
   for (TermBlock& block : blocks_) block.variable = place[U(block.variable)];
   std::fill(column_in_front_.begin(), column_in_front_.end(), -1);
@@ -152,6 +151,7 @@ void FrontPlan::EnterMembers(Front& front) {
     ++leaving;
   }
   active_.erase(active_.begin(), active_.begin() + static_cast<std::ptrdiff_t>(leaving));
+  front.first_staying = front.columns;
   front.storage = storage_;
   storage_ += U(front.eliminated) * U(front.Stride());
   widest_stride_ = std::max(widest_stride_, front.Stride());
@@ -169,10 +169,7 @@ void FrontPlan::PlaceBlocks(const Front& front) {
     std::sort(in_order_.begin(), in_order_.end(),
               [](const TermBlock* a, const TermBlock* b) { return a->column < b->column; });
     int place = 0;
-    for (TermBlock* block : in_order_) {
-      block->place = place;
-      place += block->tangent;
-    }
+    for (TermBlock* block : in_order_) block->place = place++;
   }
 }
 
@@ -190,6 +187,13 @@ void FrontPlan::FindRuns(const Front& before, Front& front) {
       ++front.runs;
     }
   }
+  const auto runs = Runs(front);
+  if (front.columns != before.columns || runs.empty()) return;
+  const Run& last = runs.back();
+  const auto is_eliminated = [&](const Run& run) { return run.to < front.eliminated; };
+  if (last.from == last.to && !is_eliminated(last) && last.to + last.length == front.columns &&
+      std::all_of(runs.begin(), runs.end() - 1, is_eliminated))
+    front.first_staying = last.to;
 }
 
 }  // namespace brachium

@@ -52,7 +52,7 @@ class FrontPlan {
     const TangentCost* cost;
     const ceres::LossFunction* loss;  // or null
     std::size_t first_block;
-    int blocks, columns;
+    int blocks;
   };
   struct Member {
     int variable;  // index
@@ -66,11 +66,12 @@ class FrontPlan {
     int knot;
     int columns = 0, eliminated = 0;
     int first_column = 0;     // of the step: where its eliminated columns begin
+    int first_staying = 0;    // column: from here on all stand where the last front left them
     std::size_t storage = 0;  // where its factor lies: eliminated columns of Stride() numbers
     std::size_t first_term = 0, terms = 0;
     std::size_t first_member = 0, members = 0;
     std::size_t first_run = 0, runs = 0;
-    int Stride() const;  // columns and the gradient, padded
+    int Stride() const { return Padded(columns + 1); }  // columns and the gradient, padded
   };
 
   // `problem` must not change the unknowns of its terms while the plan is used.
@@ -84,9 +85,10 @@ class FrontPlan {
   // Of an unknown's variable; -1 where the plan has none.
   int IndexOf(int unknown) const { return variable_of_[static_cast<std::size_t>(unknown)]; }
   const std::vector<Front>& fronts() const { return fronts_; }
-  int columns() const { return columns_; }                // of all variables
-  std::size_t storage() const { return storage_; }        // numbers that the factor takes
-  int widest_stride() const { return widest_stride_; }    // of all fronts
+  int columns() const { return columns_; }              // of all variables
+  int handed_on() const { return handed_on_; }          // of them, the last ones: what is handed on
+  std::size_t storage() const { return storage_; }      // numbers that the factor takes
+  int widest_stride() const { return widest_stride_; }  // of all fronts
   int most_residuals() const { return most_residuals_; }  // of one term
   int widest_term() const { return widest_term_; }        // tangent columns, held ones too
   int most_blocks() const { return most_blocks_; }        // of one term
@@ -125,7 +127,8 @@ class FrontPlan {
   std::vector<int> column_in_front_;  // of each variable; -1 before its first front
   std::vector<int> active_;           // variables that the last front handed on
   std::vector<TermBlock*> in_order_;  // of one term
-  int columns_ = 0, widest_stride_ = 0, most_residuals_ = 0, widest_term_ = 0, most_blocks_ = 0;
+  int columns_ = 0, handed_on_ = 0, widest_stride_ = 0, most_residuals_ = 0, widest_term_ = 0,
+      most_blocks_ = 0;
   std::size_t storage_ = 0;
 };
 

@@ -27,11 +27,11 @@ bool FrontSweep::Sums::IsFinite() const {
 
 void FrontSweep::Prepare(const FrontPlan& plan) {
   const std::size_t columns = U(plan.columns()), widest = U(plan.widest_stride());
-  factors_.Reserve(plan.storage());
+  factors_.Reserve(plan.storage() + kLane);
   diagonal_.resize(columns);
   gradient_.resize(columns);
-  front_.resize(widest * widest);
-  before_.resize(widest * widest);
+  front_.Reserve(widest * widest + kLane);
+  before_.Reserve(widest * widest + kLane);
   least_.resize(widest);
   y_.resize(widest);
   d_.resize(widest);
@@ -53,56 +53,66 @@ FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping) {
     const double* y = Factor(front) + front.columns;
     for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
     stride_before = front.Stride();
-    std::swap(front_, before_);
   }
   sums.cost = static_cast<double>(cost);
   for (const double g : gradient_) sums.gradient_norm = std::max(sums.gradient_norm, std::abs(g));
   return sums;
 }
 
-// Empties the front and puts into it what the last one handed on.
-void FrontSweep::TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before) {
-  const int stride = front.Stride();
-  for (int column = 0; column < front.columns; ++column)
-    std::fill_n(&front_[U(column * stride + column)], stride - column, 0.0);
-  const auto runs = plan.Runs(front);
-  if (runs.empty()) return;
+double* FrontSweep::Column(const FrontPlan::Front& front, int column) {
+  double* columns = column < front.eliminated ? factors_.data() + front.storage : front_.data();
+  return columns + column * front.Stride();
+}
+
+// Puts the columns [begin, end) to zero, what stands above the diagonal apart.
+void FrontSweep::Clear(const FrontPlan::Front& front, int begin, int end) {
+  for (int column = begin; column < end; ++column)
+    std::fill_n(Column(front, column) + column, front.Stride() - column, 0.0);
+}
+
+// Takes over the columns of the first of `runs`: what stands there in them and in those below.
+void FrontSweep::CopyRun(const FrontPlan::Front& front, std::span<const FrontPlan::Run> runs,
+                         const double* before, int stride_before) {
+  const FrontPlan::Run& run = runs.front();
   const int gradient_before = runs.back().from + runs.back().length;  // the row below the last
-  for (std::size_t j = 0; j < runs.size(); ++j) {
-    for (int i = 0; i < runs[j].length; ++i) {
-      const double* from = &before_[U((runs[j].from + i) * stride_before)];
-      double* to = &front_[U((runs[j].to + i) * stride)];
-      std::copy_n(from + runs[j].from + i, runs[j].length - i, to + runs[j].to + i);
-      for (std::size_t below = j + 1; below < runs.size(); ++below)
-        std::copy_n(from + runs[below].from, runs[below].length, to + runs[below].to);
-      to[front.columns] = from[gradient_before];
-    }
+  for (int i = 0; i < run.length; ++i) {
+    const double* from = before + (run.from + i) * stride_before;
+    double* to = Column(front, run.to + i);
+    std::copy_n(from + run.from + i, run.length - i, to + run.to + i);
+    for (const FrontPlan::Run& below : runs.subspan(1))
+      std::copy_n(from + below.from, below.length, to + below.to);
+    to[front.columns] = from[gradient_before];
   }
+}
+
+// Begins a front with what the last one handed on.
+void FrontSweep::TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before) {
+  const auto runs = plan.Runs(front);
+  if (front.first_staying == front.columns) std::swap(front_, before_);
+  const double* before = front.first_staying == front.columns ? before_.data() : front_.data();
+  const auto take_over = [&](int begin, int end) {
+    Clear(front, begin, end);
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i].to >= begin && runs[i].to < end)
+        CopyRun(front, runs.subspan(i), before, stride_before);
+  };
+  take_over(0, front.eliminated);
+  take_over(front.eliminated, front.first_staying);
 }
 
 // Adds Jᵀ [J r] of one term; returns its cost.
 double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                            const FrontPlan::PlannedTerm& term) {
   const auto blocks = plan.Blocks(term);
-  const int columns = term.columns, stride = front.Stride();
-  const double cost = term_.Linearise(*term.cost, term.loss, blocks, columns);
-  const int *place = term_.PlacesInFront(), *run_end = term_.RunEnds();
-  for (int column = 0; column < columns; ++column) {
-    const double* from = term_.Column(column);
-    double* to = &front_[U(place[column] * stride)];
-    for (int row = column; row < columns;) {
-      double* to_row = to + (place[row] - row);
-      for (const int end = run_end[row]; row < end; ++row) to_row[row] += from[row];
-    }
-    to[front.columns] += from[columns];
-  }
+  const double cost = term_.Linearise(*term.cost, term.loss, blocks);
+  term_.AddTo(
+      blocks, [&](int column) { return Column(front, column); }, front.columns, front.Stride());
   for (const TermBlock& block : blocks) {
     if (block.place < 0) continue;
     const int at = plan.variables()[U(block.variable)].column;
     for (int k = 0; k < block.tangent; ++k) {
-      const double* from = term_.Column(block.place + k);
-      diagonal_[U(at + k)] += from[block.place + k];
-      gradient_[U(at + k)] += from[columns];
+      diagonal_[U(at + k)] += term_.Diagonal(block, k);
+      gradient_[U(at + k)] += term_.Gradient(block, k);
     }
   }
   return cost;
@@ -110,19 +120,19 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
 
 void FrontSweep::Eliminate(const FrontPlan::Front& front) {
   const int stride = front.Stride();
+  double* E = Column(front, 0);
   const double lost = damping_ > 0.0 ? kShareOfDamping * damping_ : kSingular;
   for (int k = 0; k < front.eliminated; ++k) {
     const double diagonal = diagonal_[U(front.first_column + k)];
-    front_[U(k * stride + k)] += damping_ * Clamped(diagonal);
+    E[k * stride + k] += damping_ * Clamped(diagonal);
     least_[U(k)] = lost * std::max(diagonal, 1e-9);
   }
-  FactorFront(front_.data(), stride, front.columns, front.eliminated, least_.data());
+  FactorFront(E, front_.data(), stride, front.columns, front.eliminated, least_.data());
   for (int k = 0; k < front.eliminated; ++k) {
-    const double root = front_[U(k * stride + k)], raised = std::sqrt(kRaised * least_[U(k)]);
+    const double root = E[k * stride + k], raised = std::sqrt(kRaised * least_[U(k)]);
     if (root == raised || root * root < kSingular * diagonal_[U(front.first_column + k)])
       lost_.push_back(front.first_column + k);
   }
-  std::copy_n(front_.data(), front.eliminated * stride, factors_.data() + front.storage);
 }
 
 bool FrontSweep::IsLost(int column) const {
@@ -147,10 +157,12 @@ double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
   step.resize(U(plan.columns()));
   double decrease = 0.0;
   for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
-    GatherKept(plan, *front, step);
-    const double* L = Factor(*front);
+    GatherKept(plan, *front, step, d_.data());
+    const double *L = Factor(*front), *y_of_front = y_.data();
+    double* d_of_front = d_.data();
     for (int k = 0; k < front->eliminated; ++k) y_[U(k)] = L[k * front->Stride() + front->columns];
-    BackSubstitute(L, front->Stride(), front->columns, front->eliminated, y_.data(), d_.data());
+    BackSubstitute(L, front->Stride(), front->columns, front->eliminated, 1, &y_of_front,
+                   &d_of_front);
     for (int k = 0; k < front->eliminated; ++k) {
       const double y = y_[U(k)], d = d_[U(k)];
       const std::size_t column = U(front->first_column + k);
@@ -165,22 +177,29 @@ void FrontSweep::Draw(const FrontPlan& plan, const std::vector<std::vector<doubl
                       std::vector<std::vector<double>>& deviations) {
   deviations.resize(signs.size());
   for (std::vector<double>& deviation : deviations) deviation.resize(U(plan.columns()));
-  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front)
-    for (std::size_t i = 0; i < signs.size(); ++i) {
-      GatherKept(plan, *front, deviations[i]);
-      BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
-                     &signs[i][U(front->first_column)], d_.data());
-      std::copy_n(d_.data(), front->eliminated, &deviations[i][U(front->first_column)]);
+  d_.resize(signs.size() * U(plan.widest_stride()));
+  std::vector<const double*> y(signs.size());
+  std::vector<double*> d(signs.size());
+  for (std::size_t i = 0; i < d.size(); ++i) d[i] = &d_[i * U(plan.widest_stride())];
+  for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      GatherKept(plan, *front, deviations[i], d[i]);
+      y[i] = &signs[i][U(front->first_column)];
     }
+    BackSubstitute(Factor(*front), front->Stride(), front->columns, front->eliminated,
+                   static_cast<int>(d.size()), y.data(), d.data());
+    for (std::size_t i = 0; i < d.size(); ++i)
+      std::copy_n(d[i], front->eliminated, &deviations[i][U(front->first_column)]);
+  }
 }
 
-// What a front does not eliminate, into d_.
+// What a front does not eliminate.
 void FrontSweep::GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
-                            const std::vector<double>& columns) {
+                            const std::vector<double>& columns, double* kept) {
   for (const FrontPlan::Member& member : plan.Members(front)) {
     if (member.column < front.eliminated) continue;
     const FrontPlan::Variable& variable = plan.variables()[U(member.variable)];
-    std::copy_n(&columns[U(variable.column)], variable.tangent, &d_[U(member.column)]);
+    std::copy_n(&columns[U(variable.column)], variable.tangent, kept + member.column);
   }
 }
 

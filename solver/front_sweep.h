@@ -20,7 +20,8 @@ class FrontSweep {
   struct Sums {
     double cost = 0.0;           // Σ ½ ρ(|r|²)
     double gradient_norm = 0.0;  // largest |∂cost/∂column|
-    double length_2 = 0.0;       // Σ |y|²: squared length of the step in the metric of H
+    double length_2 = 0.0;  // Σ |y|²: squared length of the step in the metric of H, twice by
+                            // how much the linearised cost falls with it
     bool IsFinite() const;
   };
 
@@ -55,17 +56,21 @@ class FrontSweep {
   }
 
  private:
+  double* Column(const FrontPlan::Front& front, int column);
+  void Clear(const FrontPlan::Front& front, int begin, int end);
+  void CopyRun(const FrontPlan::Front& front, std::span<const FrontPlan::Run> runs,
+               const double* before, int stride_before);
   void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
   double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                  const FrontPlan::PlannedTerm& term);
   void Eliminate(const FrontPlan::Front& front);
   void GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
-                  const std::vector<double>& columns);
+                  const std::vector<double>& columns, double* kept);
 
   double damping_ = 0.0;
-  LargeBuffer factors_;
+  LargeBuffer factors_;                      // eliminated columns of all fronts
+  LargeBuffer front_, before_;               // the other columns of this front and of the last
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
-  std::vector<double> front_, before_;       // matrices of this front and of the last
   std::vector<double> least_, y_, d_;
   std::vector<int> lost_;  // columns whose pivots lost all digits in the last pass, increasing
   TermSquare term_;

@@ -19,6 +19,7 @@ class LargeBuffer {
   void Reserve(std::size_t numbers) {
     if (numbers <= size_) return;
     const std::size_t bytes = (numbers * sizeof(double) + kPage - 1) / kPage * kPage;
+    size_ = 0;
     data_.reset();
     data_.reset(static_cast<double*>(std::aligned_alloc(kPage, bytes)));
     if (data_ == nullptr) throw std::bad_alloc();

@@ -147,7 +147,7 @@ void AddDeviations(const ArmProblem& problem, const PoseCovariance& covariance, 
 std::string Whole(double value) { return std::to_string(static_cast<int>(std::lround(value))); }
 
 // From one span to another, both included.
-std::string Stretch(const std::vector<double>& middles, std::size_t first, std::size_t last) {
+std::string When(const std::vector<double>& middles, std::size_t first, std::size_t last) {
   if (middles.size() == 1) return "throughout";
   const double half = 0.5 * (middles[1] - middles[0]);
   return "from " + Whole(middles[first] - half) + " to " + Whole(middles[last] + half) + " s";
@@ -183,7 +183,7 @@ std::vector<std::string> HeadingsNotHeld(const std::vector<HeadingSupport>& head
       if (i == first) continue;
       sentences.push_back("The heading of the " + std::string(Name(support.segment)) +
                           " against the " + std::string(Name(support.against)) +
-                          " is little held " + Stretch(support.time, first, i - 1) +
+                          " is little held " + When(support.time, first, i - 1) +
                           ": its standard deviation is up to " + Whole(most / kDegree) + " deg");
     }
   }

@@ -1,5 +1,6 @@
 #include "solver/standard_deviations.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,11 +20,15 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 const std::string kRelativeHeading = "relative_heading";  // forearm against upper arm
 constexpr double kNearby = 1e-6;  // [rad], over which gradients of angles are taken
 
+const std::array<Quaterniond, 3> kNudges = {Exp<double>(kNearby * Vector3d::UnitX()),
+                                            Exp<double>(kNearby* Vector3d::UnitY()),
+                                            Exp<double>(kNearby* Vector3d::UnitZ())};
+
 double StandardDeviation(const ArmAngle& angle, const Quaterniond& q_AB, const Matrix3d& P_B) {
   Vector3d gradient;
   const double here = angle.of(q_AB);
   for (int axis = 0; axis < 3; ++axis) {
-    const double there = angle.of(q_AB * Exp<double>(kNearby * Vector3d::Unit(axis)));
+    const double there = angle.of(q_AB * kNudges[U(axis)]);
     gradient[axis] = std::remainder(there - here, 2 * std::numbers::pi) / kNearby;
   }
   return std::sqrt(std::max(0.0, gradient.dot(P_B * gradient)));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "problems/residuals/cost.h"
+#include "solver/front_factor.h"
 
 namespace brachium {
 
@@ -15,8 +16,8 @@ struct TermBlock {
   const double* value;
   int variable;  // of a plan (front_plan.h)
   int tangent;   // columns of its Jacobian
-  int place;     // of these in the term's Jacobian; -1 for a block that is no unknown
-  int column;    // of these in a front
+  int place;     // among the term's unknowns in the front's order; -1 for a block that is none
+  int column;    // in a front
 };
 
 class TermSquare {
@@ -24,29 +25,40 @@ class TermSquare {
   // Sets memory up for the largest term to come: its residuals, its blocks, their columns.
   void Reserve(int residuals, int blocks, int columns);
 
-  // [J r]ᵀ [J r] at the blocks' values, scaled by ρ' where there is a loss; returns ½ ρ(|r|²).
-  // `columns`: of J, all places together.
+  // J and r at the blocks' values, scaled by √ρ' where there is a loss; returns ½ ρ(|r|²).
   double Linearise(const TangentCost& cost, const ceres::LossFunction* loss,
-                   std::span<const TermBlock> blocks, int columns);
+                   std::span<const TermBlock> blocks);
 
-  // Column `column` of the square's lower triangle, by rows; the last row and column are r's.
-  const double* Column(int column) const {
-    return &square_[static_cast<std::size_t>(column * stride_)];
+  // Adds [J r]ᵀ [J r] to a front of that stride; `column`: from a column's number to where it stands.
+  template <typename Column>
+  void AddTo(std::span<const TermBlock> blocks, Column column, int gradient_row, int stride) {
+    int unknowns = 0;
+    for (const TermBlock& block : blocks) {
+      if (block.place < 0) continue;
+      in_front_[static_cast<std::size_t>(block.place)] = {block.tangent, block.column,
+                                                          column(block.column)};
+      ++unknowns;
+    }
+    AddSquare(rows_.data(), residuals_, {in_front_.data(), static_cast<std::size_t>(unknowns)},
+              gradient_row, stride, squares_.data(), gradient_.data());
   }
 
-  // The column of the front of every column of J.
-  const int* PlacesInFront() const { return place_in_front_.data(); }
-
-  // Of every column of J, the end of the columns from it on that are neighbours in the front too.
-  const int* RunEnds() const { return run_end_.data(); }
+  // Of column k of an unknown, after AddTo: its entries of JᵀJ's diagonal and of Jᵀr.
+  double Diagonal(const TermBlock& block, int k) const { return squares_[At(block, k)]; }
+  double Gradient(const TermBlock& block, int k) const { return gradient_[At(block, k)]; }
 
  private:
-  int stride_ = 0;
+  static std::size_t At(const TermBlock& block, int k) {
+    return static_cast<std::size_t>(block.place * kLane + k);
+  }
+
+  int residuals_ = 0;  // of the term that stands
   std::vector<const double*> values_;
   std::vector<double*> jacobians_;
   std::vector<double> residual_, blocks_;  // as the cost writes them
-  std::vector<double> rows_, square_;      // side by side, and squared
-  std::vector<int> place_in_front_, run_end_;
+  std::vector<double> rows_;               // as AddSquare reads them
+  std::vector<FrontBlock> in_front_;
+  std::vector<double> squares_, gradient_;
 };
 
 }  // namespace brachium

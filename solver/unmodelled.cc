@@ -91,13 +91,29 @@ class Residuals {
 
 }  // namespace
 
-UnmodelledSums::UnmodelledSums(const ArmProblem& problem)
-    : draws_(kDrawnKnots / problem.size().knots + 1),
-      accelerations_(U(problem.size().sensors)),
-      quivers_(accelerations_) {}
+UnmodelledSums::Densities::Densities(const ArmProblem& problem)
+    : memory(2 * problem.options().unmodelled_correlation_s) {
+  for (const Recording& recording : problem.observations().recordings)
+    white.push_back(0.5 * recording.noise.accel_density * recording.noise.accel_density);
+}
 
-double UnmodelledSums::Spread::Ratio() const {
-  return (squares + kPriorResiduals) / (redundancy + kPriorResiduals);
+double UnmodelledSums::Densities::Of(std::size_t sensor, double acceleration) const {
+  return white[sensor] + memory * acceleration * acceleration;
+}
+
+double UnmodelledSums::Densities::AccelerationOf(std::size_t sensor, double density) const {
+  const double variance = (density - white[sensor]) / memory;
+  return std::sqrt(std::max(variance, kLeastAcceleration * kLeastAcceleration));
+}
+
+UnmodelledSums::UnmodelledSums(const ArmProblem& problem)
+    : densities_(problem), draws_(kDrawnKnots / problem.size().knots + 1) {
+  for (std::size_t sensor = 0; sensor < problem.unmodelled().size(); ++sensor) {
+    const Unmodelled& guess = problem.unmodelled()[sensor];
+    const double density = densities_.Of(sensor, guess.acceleration);
+    accelerations_.push_back({kPriorResiduals * density, kPriorResiduals});
+    quivers_.push_back({kPriorResiduals * guess.quiver * guess.quiver, kPriorResiduals});
+  }
 }
 
 void UnmodelledSums::Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
@@ -109,24 +125,22 @@ void UnmodelledSums::Add(const ArmProblem& problem, State& state, int start_knot
   for (; term != terms.end() && term->first_knot < end_knot; ++term) {
     const bool accelerates = term->kind == ResidualKind::kAccelerometer;
     if (!accelerates && term->kind != ResidualKind::kSegmentChain) continue;
-    Spread& spread = (accelerates ? accelerations_ : quivers_)[U(term->sensor)];
-    residuals.Add(*term, spread.squares, spread.redundancy);
+    const std::size_t sensor = U(term->sensor);
+    const Unmodelled& used = problem.unmodelled()[sensor];
+    const double variance =
+        accelerates ? densities_.Of(sensor, used.acceleration) : used.quiver * used.quiver;
+    Spread& spread = (accelerates ? accelerations_ : quivers_)[sensor];
+    double squares = 0.0;
+    residuals.Add(*term, squares, spread.redundancy);
+    spread.squares += squares * variance;
   }
 }
 
-std::vector<Unmodelled> UnmodelledSums::Estimate(const ArmProblem& problem) const {
+std::vector<Unmodelled> UnmodelledSums::Estimate() const {
   std::vector<Unmodelled> unmodelled;
-  const double memory = 2 * problem.options().unmodelled_correlation_s;
-  for (std::size_t sensor = 0; sensor < quivers_.size(); ++sensor) {
-    const Unmodelled& used = problem.unmodelled()[sensor];
-    const double white =
-        0.5 * std::pow(problem.observations().recordings[sensor].noise.accel_density, 2);
-    const double density = white + memory * used.acceleration * used.acceleration;
-    const double variance = (accelerations_[sensor].Ratio() * density - white) / memory;
-    unmodelled.push_back(
-        {std::sqrt(std::max(variance, kLeastAcceleration * kLeastAcceleration)),
-         std::max(std::sqrt(quivers_[sensor].Ratio()) * used.quiver, kLeastQuiver)});
-  }
+  for (std::size_t sensor = 0; sensor < quivers_.size(); ++sensor)
+    unmodelled.push_back({densities_.AccelerationOf(sensor, accelerations_[sensor].Variance()),
+                          std::max(std::sqrt(quivers_[sensor].Variance()), kLeastQuiver)});
   return unmodelled;
 }
 

@@ -18,23 +18,36 @@ namespace brachium {
 
 class UnmodelledSums {
  public:
+  // The first guess is what `problem` goes by.
   explicit UnmodelledSums(const ArmProblem& problem);
 
   // Takes the terms whose first knot lies in [start_knot, end_knot) at `state`, at which `workspace`
-  // made its last pass over them.
+  // made its last pass over them. The problem may be another one, with other guesses, of the same
+  // sensors.
   void Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
            ChainWorkspace& workspace);
 
   // Of each sensor, by all terms that were taken.
-  std::vector<Unmodelled> Estimate(const ArmProblem& problem) const;
+  std::vector<Unmodelled> Estimate() const;
 
  private:
-  // Weighted residuals of one kind: their squares, and how many of them the unknowns do not take up.
+  // Of one kind: residuals unweighted again, their squares summed, and how many of them the unknowns
+  // do not take up; their variance.
   struct Spread {
     double squares = 0.0, redundancy = 0.0;
-    double Ratio() const;  // estimated over assumed variance
+    double Variance() const { return squares / redundancy; }
   };
 
+  // White density of an accelerometer, and what goes for it where something lasting is left out.
+  struct Densities {
+    explicit Densities(const ArmProblem& problem);
+    double Of(std::size_t sensor, double acceleration) const;
+    double AccelerationOf(std::size_t sensor, double density) const;
+    double memory;
+    std::vector<double> white;
+  };
+
+  Densities densities_;
   int draws_;
   std::mt19937_64 random_{1};
   std::vector<Spread> accelerations_, quivers_;  // by sensor

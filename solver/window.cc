@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "solver/initial_guess.h"
 
@@ -13,11 +14,10 @@ namespace {
 constexpr int kHeadings = 6;              // tried about the full turn
 constexpr double kClearlyCheaper = 12.0;  // twice the log-likelihood ratio that settles a heading
 constexpr double kDistinct = 20 * kDegree;
-constexpr double kLongestSettling = 80.0;  // [s]
 
 constexpr SolveOptions kWindowSolve{.most_iterations = 20, .step_in_sd = 1e-3};
 constexpr SolveOptions kStartSolve{
-    .most_iterations = 20, .least_decrease = 0.01, .hold_geometry = true};
+    .most_iterations = 20, .least_decrease = 0.1, .hold_geometry = true};
 
 // Lever arms that may flip would let a wrong heading explain everything.
 constexpr SolveOptions kSettlingSolve{
@@ -88,7 +88,7 @@ void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOp
     if (IsSettledByPose(problem, sensor)) continue;
     const State start = state;
     bool clear = false;
-    for (double span = options.length; !clear && span <= kLongestSettling; span *= 2) {
+    for (double span = kShortestSettling; !clear && span <= kLongestSettling; span *= 2) {
       state = start;
       const int last = KnotAt(problem, timeline.knots.front() + span);
       clear = TryHeadings(problem, state, sensor, last, solve, workspace, report) ||
@@ -100,47 +100,79 @@ void ChooseStartHeadings(const ArmProblem& problem, State& state, const WindowOp
   }
 }
 
-WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions& options,
-                          const Progress& progress) {
-  WindowReport report;
+void SetStart(ArmProblem& problem, State& state, const WindowOptions& options,
+              WindowReport& report) {
   SetFirstKnot(problem, state);
   problem.FixHeadings(state);
   ChooseStartHeadings(problem, state, options, report);
   problem.FixHeadings(state);
+}
 
+ForwardWindows::ForwardWindows(const ArmProblem& problem, State& state, CarriedPrior prior,
+                               const WindowOptions& options, WindowReport& report)
+    : problem_(problem),
+      state_(state),
+      prior_(std::move(prior)),
+      options_(options),
+      solve_(options.only_a_start ? kStartSolve : kWindowSolve),
+      report_(report),
+      workspace_(problem) {
+  solve_.solver = options.solver;
+}
+
+void ForwardWindows::Solve() {
+  const Timeline& timeline = problem_.timeline();
+  const int known = end_, last = timeline.Intervals();
+  const double time = timeline.knots[static_cast<std::size_t>(start_)];
+  end_ = std::max(KnotAt(problem_, time + options_.length), start_ + 1);
+  if (end_ + 1 >= last) end_ = last;
+  DeadReckon(problem_, state_, known, end_);
+  solve_.hand_on = options_.only_a_start && end_ < last;
+  const auto summary = brachium::Solve(problem_, state_, prior_, start_, end_, solve_, &workspace_);
+  report_.iterations += summary.iterations;
+  report_.unconverged += summary.converged ? 0 : 1;
+  if (options_.only_a_start && options_.unmodelled != nullptr)
+    options_.unmodelled->Add(problem_, state_, start_, solve_.hand_on ? end_ : end_ + 1,
+                             workspace_);
+  ++report_.windows;
+}
+
+int ForwardWindows::NextStart(int limit) const {
+  if (options_.only_a_start) return end_;
+  const double time = problem_.timeline().knots[static_cast<std::size_t>(start_)];
+  return std::min(std::max(KnotAt(problem_, time + options_.advance), start_ + 1), limit);
+}
+
+void ForwardWindows::Advance(int limit) {
+  const Timeline& timeline = problem_.timeline();
+  const int next = NextStart(limit);
+  HoldBias(problem_, state_,
+           timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end_)]) + 1);
+  if (options_.only_a_start) {
+    prior_ = Elimination(workspace_).Carry();
+    start_ = next;
+    return;
+  }
+  const Elimination elimination(problem_, state_, prior_, start_, next, workspace_);
+  left_behind_ += elimination.eliminated();
+  prior_ = elimination.Carry();
+  start_ = next;
+}
+
+WindowReport SolveForward(ArmProblem& problem, State& state, const WindowOptions& options,
+                          const Progress& progress) {
+  WindowReport report;
+  SetStart(problem, state, options, report);
   const Timeline& timeline = problem.timeline();
   const int last = timeline.Intervals();
   const double begin = timeline.knots.front(), span = timeline.knots.back() - begin;
-  SolveOptions solve = options.only_a_start ? kStartSolve : kWindowSolve;
-  solve.solver = options.solver;
-  ChainWorkspace workspace(problem);
-  CarriedPrior prior;
-  int known = 0;  // knots up to here have a value
-  for (int start = 0;;) {
-    const double time = timeline.knots[static_cast<std::size_t>(start)];
-    int end = std::max(KnotAt(problem, time + options.length), start + 1);
-    if (end + 1 >= last) end = last;
-    DeadReckon(problem, state, known, end);
-    solve.hand_on = options.only_a_start && end < last;
-    const auto summary = Solve(problem, state, prior, start, end, solve, &workspace);
-    report.iterations += summary.iterations;
-    if (options.only_a_start && options.unmodelled != nullptr)
-      options.unmodelled->Add(problem, state, start, solve.hand_on ? end : end + 1, workspace);
-    ++report.windows;
-    known = end;
-    if (progress)
-      progress("windows", (timeline.knots[static_cast<std::size_t>(end)] - begin) / span);
-    if (end == last) return report;
-    HoldBias(problem, state,
-             timeline.NodeBefore(timeline.knots[static_cast<std::size_t>(end)]) + 1);
-    if (options.only_a_start) {
-      prior = Elimination(workspace).Carry();
-      start = end;
-    } else {
-      const int next = std::max(KnotAt(problem, time + options.advance), start + 1);
-      prior = Elimination(problem, state, prior, start, next, workspace).Carry();
-      start = next;
-    }
+  ForwardWindows windows(problem, state, {}, options, report);
+  for (;;) {
+    windows.Solve();
+    const double time = timeline.knots[static_cast<std::size_t>(windows.end())];
+    if (progress) progress("windows", (time - begin) / span);
+    if (windows.end() == last) return report;
+    windows.Advance(last);
   }
 }
 

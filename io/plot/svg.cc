@@ -1,5 +1,6 @@
 #include "io/plot/svg.h"
 
+#include "io/escaped.h"
 #include "io/text.h"
 
 namespace brachium {
@@ -49,20 +50,7 @@ std::string NameOf(TextStyle::Anchor anchor) {
 }  // namespace
 
 std::string EscapedXml(std::string_view text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '&')
-      escaped += "&amp;";
-    else if (letter == '<')
-      escaped += "&lt;";
-    else if (letter == '>')
-      escaped += "&gt;";
-    else if (letter == '"')
-      escaped += "&quot;";
-    else
-      escaped += letter;
-  }
-  return escaped;
+  return Escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
 }
 
 void Svg::Line(const Pixel& from, const Pixel& to, const Stroke& stroke) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "io/escaped.h"
 #include "io/file_bytes.h"
 #include "io/plot/svg.h"
 #include "io/text.h"
@@ -55,12 +56,7 @@ std::string ScriptData(const std::string& id, const nlohmann::ordered_json& json
   const std::string text =
       json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::string html = "<script type=\"application/json\" id=\"" + id + "\">";
-  for (const char letter : text) {
-    if (letter == '<')
-      html += "\\u003c";
-    else
-      html += letter;
-  }
+  html += Escaped(text, {{'<', "\\u003c"}});
   return html + "</script>\n";
 }
 

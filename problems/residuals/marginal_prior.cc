@@ -1,5 +1,7 @@
 #include "problems/residuals/marginal_prior.h"
 
+#include <cmath>
+
 namespace brachium {
 namespace {
 
@@ -19,6 +21,21 @@ MarginalPrior::MarginalPrior(const std::vector<int>& sizes, const Eigen::VectorX
   }
   set_num_residuals(static_cast<int>(residual.size()));
   *mutable_parameter_block_sizes() = sizes_;
+}
+
+std::unique_ptr<MarginalPrior> MarginalPrior::Copy() const {
+  return std::make_unique<MarginalPrior>(sizes_, point_, jacobian_, residual_);
+}
+
+// The step s enters as [-J e; 1/sigma] s. The reflection turns that column onto its last row, which
+// then is all that knows of s.
+void MarginalPrior::Step(std::size_t block, double mean, double sigma) {
+  point_[ambient_begin_[block]] += mean;
+  const Eigen::VectorXd v = -jacobian_.col(tangent_begin_[block]);
+  const double last = 1 / sigma + std::sqrt(v.squaredNorm() + 1 / (sigma * sigma));
+  const double factor = 2 / (v.squaredNorm() + last * last);
+  residual_ -= factor * v.dot(residual_) * v;
+  jacobian_ -= factor * v * (v.transpose() * jacobian_).eval();
 }
 
 Eigen::VectorXd MarginalPrior::Difference(const double* const* x) const {

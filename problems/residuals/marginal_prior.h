@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "problems/residuals/cost.h"
@@ -23,6 +24,15 @@ class MarginalPrior final : public TangentCost {
   // `jacobian`, `residual`: J (columns in tangent space) and r̄.
   MarginalPrior(const std::vector<int>& sizes, const Eigen::VectorXd& point,
                 const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residual);
+
+  std::unique_ptr<MarginalPrior> Copy() const;
+
+  // Lets an unknown of one number go a random step of this mean and sd, so that all this speaks of
+  // where it came from: its covariance grows by the step's, and no other mean moves. The step's
+  // departure from its mean is an unknown that is eliminated by one Householder reflection.
+  // Source: time update of the square-root information filter, Bierman, Factorization Methods for
+  // Discrete Sequential Estimation (1977), chapter VI.
+  void Step(std::size_t block, double mean, double sigma);
 
   bool Evaluate(const double* const* x, double* r, double** J) const override;
   void EvaluateTangent(const double* const* x, double* r, double* const* J) const override;

@@ -19,9 +19,7 @@ class Completion : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    const Outcome script = Run({"completion"});
-    ASSERT_EQ(script.exit_code, 0) << script.err;
-    Write("script", script.out);
+    Write("script", RunWell({"completion"}));
   }
 
   // What a real bash would offer for the last word of `typed`, split where bash splits it.

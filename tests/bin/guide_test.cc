@@ -10,8 +10,6 @@
 namespace brachium {
 namespace {
 
-using testing::HasSubstr;
-
 class Guide : public ProgramTest {
  protected:
   const std::string readme_ = ReadText(BRACHIUM_SOURCE_DIR "/README.md");

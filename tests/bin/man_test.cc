@@ -27,10 +27,9 @@ class Man : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    const Outcome man = Run({"man"});
-    ASSERT_EQ(man.exit_code, 0) << man.err;
-    Write("page", man.out);
-    page_ = std::regex_replace(man.out, std::regex(R"(\\-)"), "-");
+    const std::string roff = RunWell({"man"});
+    Write("page", roff);
+    page_ = std::regex_replace(roff, std::regex(R"(\\-)"), "-");
   }
 
   // Whether the shell finds `program`.

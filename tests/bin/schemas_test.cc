@@ -31,11 +31,6 @@ class Schemas : public ProgramTest {
   void ExpectValid(const std::string& schema, const std::string& file) const {
     EXPECT_EQ(Judge(schema, file), 0) << file << " by " << schema << ".schema.json";
   }
-
-  void RunWell(const std::vector<std::string>& words) const {
-    const Outcome outcome = Run(words);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  }
 };
 
 TEST_F(Schemas, DescribeTrialsEstimatesAndEvaluations) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <clocale>
 #include <cmath>
 #include <cstring>
@@ -174,6 +175,28 @@ TEST(Csv, ReadsBackTheBitsThatItWrote) {
   EXPECT_TRUE(std::isnan(read[7]));
   read[7] = numbers[7];
   EXPECT_EQ(std::memcmp(read.data(), numbers.data(), numbers.size() * sizeof(double)), 0);
+}
+
+TEST(Csv, WritesEveryNumberAsItsShortestText) {
+  std::mt19937_64 random(3);
+  std::vector<double> numbers = {0.0,     -0.0,    1e-3,  0.00099, 0.001001,  99999.999999, 1e5,
+                                 1e4,     12340.0, 0.1,   -0.5,    1.0000005, 123.456789,   -7e-3,
+                                 1e5 - 1, 5e-7,    1e300, -2e-300, 1.0 / 3};
+  for (int i = 0; i < 20000; ++i) {
+    const double decimals = std::pow(10.0, static_cast<double>(random() % 9));
+    const double size = std::pow(10.0, static_cast<double>(random() % 11) - 5.0);
+    const double uniform = static_cast<double>(random()) / 0x1p64;
+    numbers.push_back(std::round((2 * uniform - 1) * size * decimals) / decimals);
+  }
+  const TemporaryFolder folder;
+  WriteCsv(folder.File("numbers.csv"), numbers.size(), {{"x", numbers.data(), 1}});
+  std::string expected = "x\n";
+  for (const double number : numbers) {
+    char text[32];
+    expected.append(text, std::to_chars(text, text + sizeof(text), number).ptr);
+    expected += '\n';
+  }
+  EXPECT_EQ(folder.Read("numbers.csv"), expected);
 }
 
 TEST(Csv, WritesNaNAsAnEmptyCell) {

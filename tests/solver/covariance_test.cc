@@ -8,6 +8,7 @@
 #include "solver/window.h"
 #include "tests/support/assess_at.h"
 #include "tests/support/dense_information.h"
+#include "tests/support/overstretched.h"
 #include "tests/support/simulated_trial.h"
 
 namespace brachium {
@@ -70,7 +71,22 @@ TEST(Certainty, GrowsWithTheLengthOfATrial) {
             sd(brief, UnknownKind::kSensorPosition, 1));
 }
 
-TEST(DrawnSd, IsThatOfTheCovarianceToATenth) {
+TEST(Certainty, TakesNothingFromAStopThatAnElbowLeansOn) {
+  const Observations observations = CutAt(4.0);
+  const auto assessed = [&](double sigma_deg) {
+    ModelOptions model;
+    model.range_of_motion_sigma_deg = sigma_deg;
+    ArmProblem problem(observations, model, 0.1);
+    State state = Overstretched(problem);
+    problem.FixHeadings(state);
+    return AssessAt(problem, state);
+  };
+  const Certainty firm = assessed(0.1), loose = assessed(1e4);
+  EXPECT_EQ(firm.root_sd, loose.root_sd);
+  for (const auto& [unknown, sd] : firm.constant_sd) EXPECT_EQ(sd, loose.constant_sd.at(unknown));
+}
+
+TEST(DrawnSd, IsAboutThatOfTheCovariance) {
   Solved solved(CutAt(8.0));
   ChainWorkspace workspace(solved.problem);
   workspace.Linearise(solved.problem, solved.state);

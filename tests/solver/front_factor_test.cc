@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -46,7 +47,15 @@ struct Front {
     }
   }
   Eigen::Map<MatrixXd> View() { return {memory.data(), stride, columns}; }
-  int Factor() { return FactorFront(memory.data(), stride, columns, pivots, least.data()); }
+  // With the columns to eliminate in another place than the rest.
+  int Factor() {
+    const auto end = memory.begin() + pivots * stride;
+    std::vector<double> E(memory.begin(), end);
+    std::fill(memory.begin(), end, std::nan(""));
+    const int raised = FactorFront(E.data(), memory.data(), stride, columns, pivots, least.data());
+    std::copy(E.begin(), E.end(), memory.begin());
+    return raised;
+  }
 };
 
 struct Size {
@@ -70,17 +79,26 @@ TEST_P(FrontFactor, IsThatOfTheDenseCholeskyFactorisation) {
   }
 }
 
-TEST_P(FrontFactor, GivesTheStepOfTheDenseSolution) {
+TEST_P(FrontFactor, GivesTheStepsOfTheDenseSolution) {
   Front front(GetParam().columns, GetParam().pivots);
   front.Factor();
   const VectorXd expected = -front.H.llt().solve(front.g);
   const VectorXd y = front.View().row(front.columns).head(front.pivots);
-  std::vector<double> d(static_cast<std::size_t>(front.stride), std::nan(""));
-  for (int i = front.pivots; i < front.columns; ++i) d[static_cast<std::size_t>(i)] = expected[i];
-  BackSubstitute(front.memory.data(), front.stride, front.columns, front.pivots, y.data(),
-                 d.data());
-  for (int i = 0; i < front.columns; ++i)
-    EXPECT_NEAR(d[static_cast<std::size_t>(i)], expected[i], 1e-9) << i;
+  constexpr int kSides = 4;  // multiples of one another
+  MatrixXd ys(y.size(), kSides), ds = MatrixXd::Constant(front.stride, kSides, std::nan(""));
+  std::vector<const double*> y_of;
+  std::vector<double*> d_of;
+  for (int side = 0; side < kSides; ++side) {
+    ys.col(side) = side * y;
+    for (int i = front.pivots; i < front.columns; ++i) ds(i, side) = side * expected[i];
+    y_of.push_back(ys.col(side).data());
+    d_of.push_back(ds.col(side).data());
+  }
+  BackSubstitute(front.memory.data(), front.stride, front.columns, front.pivots, kSides,
+                 y_of.data(), d_of.data());
+  for (int side = 0; side < kSides; ++side)
+    for (int i = 0; i < front.columns; ++i)
+      EXPECT_NEAR(ds(i, side), side * expected[i], 1e-9) << i << " " << side;
 }
 
 TEST_P(FrontFactor, ExtendsTheCovarianceToThatOfTheDenseInverse) {
@@ -106,17 +124,64 @@ INSTANTIATE_TEST_SUITE_P(, FrontFactor,
                                   std::to_string(size.param.pivots) + "pivots";
                          });
 
-TEST(SquareColumns, IsTheProductOfTheTransposeWithTheMatrix) {
-  for (const int rows : {1, 2, 3, 4, 5, 6, 7, 9, 54})
-    for (const int columns : {1, 4, 13, 44}) {
-      const int stride = Padded(columns);
-      MatrixXd W = MatrixXd::Zero(stride, rows);  // a row of W is a column here
-      W.topRows(columns) = Random(columns, rows, 3);
-      MatrixXd P = MatrixXd::Constant(stride, columns, std::nan(""));
-      SquareColumns(W.data(), rows, columns, P.data());
-      const MatrixXd expected = W * W.transpose();
-      for (int j = 0; j < columns; ++j)
-        for (int i = j; i < columns; ++i) EXPECT_NEAR(P(i, j), expected(i, j), 1e-12);
+// A term's blocks as AddSquare takes them, and J and r as matrices.
+struct TermInFront {
+  static constexpr int kGradientRow = 14, kStride = 16;
+  static constexpr std::array<std::array<int, 2>, 4> kBlocks = {
+      {{1, 3}, {4, 1}, {7, 2}, {9, 3}}};  // rows of the front, columns
+
+  MatrixXd J, front = MatrixXd::Zero(kStride, kGradientRow + 1);  // one column of room
+  std::vector<double> W;
+  std::vector<FrontBlock> blocks;
+  std::vector<double> squares, gradient;
+
+  explicit TermInFront(int rows) : J(MatrixXd::Zero(rows, kGradientRow + 1)) {
+    for (const auto& [row, columns] : kBlocks) {
+      J.middleCols(row, columns) = Random(rows, columns, static_cast<unsigned>(row));
+      Append(row, columns);
+      blocks.push_back({columns, row, front.col(row).data()});
+    }
+    J.col(kGradientRow) = Random(rows, 1, 17);
+    Append(kGradientRow, 1);
+    squares.resize(kLane * blocks.size());
+    gradient.resize(kLane * blocks.size());
+  }
+
+  void Append(int first, int columns) {
+    for (int row = 0; row < J.rows(); ++row)
+      for (int i = 0; i < kLane; ++i) W.push_back(i < columns ? J(row, first + i) : 0.0);
+  }
+
+  void Add() {
+    AddSquare(W.data(), static_cast<int>(J.rows()), blocks, kGradientRow, kStride, squares.data(),
+              gradient.data());
+  }
+};
+
+TEST(AddSquare, AddsTheProductOfTheTransposeWithTheMatrixToALowerTriangle) {
+  for (const int rows : {1, 2, 3, 6, 39}) {
+    TermInFront term(rows);
+    for (int times = 1; times <= 2; ++times) {
+      term.Add();
+      const MatrixXd expected = times * (term.J.transpose() * term.J);
+      for (int j = 0; j < term.kGradientRow; ++j)
+        for (int i = j; i <= term.kGradientRow; ++i)
+          EXPECT_NEAR(term.front(i, j), expected(i, j), 1e-12) << rows << ": " << i << " " << j;
+    }
+  }
+}
+
+TEST(AddSquare, GivesTheDiagonalAndTheGradientOfTheTermAlone) {
+  TermInFront term(6);
+  term.Add();
+  term.Add();
+  const MatrixXd expected = term.J.transpose() * term.J;
+  for (std::size_t b = 0; b < term.blocks.size(); ++b)
+    for (int i = 0; i < term.blocks[b].columns; ++i) {
+      const int column = term.blocks[b].row + i;
+      const std::size_t at = b * kLane + static_cast<std::size_t>(i);
+      EXPECT_NEAR(term.squares[at], expected(column, column), 1e-12);
+      EXPECT_NEAR(term.gradient[at], expected(term.kGradientRow, column), 1e-12);
     }
 }
 

@@ -86,6 +86,21 @@ TEST(FrontPlan, TakesOverWhatTheLastFrontHandsOnWithItsOrderKept) {
   }
 }
 
+TEST(FrontPlan, LeavesInPlaceOnlyWhatStandsThereInTheLastFrontAlready) {
+  const Planned planned(kWhole);
+  int staying = 0;
+  for (const FrontPlan::Front& front : planned.plan.fronts()) {
+    EXPECT_GE(front.first_staying, front.eliminated);
+    if (front.first_staying == front.columns) continue;
+    ++staying;
+    EXPECT_EQ((&front - 1)->columns, front.columns);
+    for (const FrontPlan::Run& run : planned.plan.Runs(front))
+      EXPECT_TRUE(run.to < front.eliminated ||
+                  (run.to == run.from && run.to == front.first_staying));
+  }
+  EXPECT_GT(staying, 20);  // of 40 fronts: no longer so where bias nodes come and go
+}
+
 TEST(FrontPlan, PutsLastWhatLaterTermsTouchAndNothingElse) {
   const Planned planned({.end_knot = 10, .last_knot = 1000, .hand_on = true});
   std::set<int> later;
@@ -96,10 +111,25 @@ TEST(FrontPlan, PutsLastWhatLaterTermsTouchAndNothingElse) {
   bool is_later = false;
   for (const FrontPlan::Member& member : planned.plan.Members(last)) {
     const bool was_later = is_later;
-    is_later = later.contains(planned.plan.variables()[U(member.variable)].unknown);
+    const FrontPlan::Variable& variable = planned.plan.variables()[U(member.variable)];
+    is_later = later.contains(variable.unknown);
     EXPECT_GE(is_later, was_later);
+    EXPECT_EQ(U(variable.last_front) >= planned.plan.fronts().size(), is_later);
   }
   EXPECT_TRUE(is_later);
+}
+
+TEST(FrontPlan, LeavesOutTheStopsOfJointsWhenAskedTo) {
+  const auto terms = [](const TermRange& range) {
+    std::size_t sum = 0;
+    const Planned planned(range);
+    for (const FrontPlan::Front& front : planned.plan.fronts()) sum += front.terms;
+    return sum;
+  };
+  TermRange without = kWhole;
+  without.leave_stops = true;
+  const auto stops = static_cast<std::size_t>(Planned(kWhole).problem.size().knots);
+  EXPECT_EQ(terms(without) + stops, terms(kWhole));
 }
 
 TEST(FrontPlan, LeavesOutTermsThatReachBeyondTheLastKnot) {

@@ -84,7 +84,6 @@ TEST(LeastSquares, HoldsTheGeometryWhenAskedTo) {
     const int joint = stretch.problem.Constant(UnknownKind::kJointVector, 0);
     const int scale = stretch.problem.Constant(UnknownKind::kAccelScale, 0);
     const int bias = stretch.problem.Constant(UnknownKind::kAccelBias, 0);
-    const State before = stretch.state;
     SolveOptions options = kToTheEnd;
     options.hold_geometry = hold;
     Solve(stretch.problem, stretch.state, {}, 0, stretch.Last(), options);

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "solver/batch_smoother.h"
+#include "tests/support/assess_at.h"
+#include "tests/support/overstretched.h"
 #include "tests/support/simulated_trial.h"
 
 namespace brachium {
@@ -51,6 +53,17 @@ TEST(Headings, AreHeldByTheMovingElbowAndByItsAdductionButNotByGyroscopesOrChain
   EXPECT_THAT(sd_by, Not(Contains(Key("segment_chain"))));
   const std::vector<double>& moving = sd_by.at("accelerometer");
   EXPECT_LT(moving[1], 2 * kDegree);
+}
+
+TEST(Headings, AreNotSaidToBeHeldByAStop) {
+  ArmProblem problem(Brisk(16).observations, {}, 0.1);
+  State state = Overstretched(problem);
+  problem.FixHeadings(state);
+  PoseCovariance poses(problem, state);
+  AssessAt(problem, state, &poses);
+  const HeadingSupport elbow = DescribeHeadings(problem, state, poses).front();
+  EXPECT_THAT(elbow.sd_by, Contains(Key("start_pose")));
+  EXPECT_THAT(elbow.sd_by, Not(Contains(Key("range_of_motion"))));
 }
 
 TEST(Headings, AreAsCertainAsWhatHeldThem) {

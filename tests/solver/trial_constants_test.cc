@@ -93,6 +93,23 @@ TEST(TrialConstants, FindClocksThatAreFarApart) {
   EXPECT_LT(AlignedError(estimate, *brisk.trial.reference), 0.2 * kDegree);
 }
 
+TEST(TrialConstants, HaveSamplesSummedAgainAboutAClockOnlyWhereMovementTellsIt) {
+  const auto solved_again = [](const std::string& scenario) {
+    SimulationOptions errors;
+    errors.clock_offset = 0.03;
+    const Trial trial =
+        Simulate(MakeScenario({.name = scenario, .seed = 3, .duration = 45}), errors).trial;
+    int weights = 0;
+    const Estimate estimate = BatchSmoother({}).Run(
+        trial.observations,
+        [&](std::string_view stage, double) { weights += stage == "weights" ? 1 : 0; });
+    EXPECT_GT(std::abs(Found(estimate, "forearm.clock_offset_s").value.at(0)), 6e-3);
+    return weights - 1;
+  };
+  EXPECT_GT(solved_again("daily_brisk"), 0);
+  EXPECT_EQ(solved_again("daily_slow"), 0);
+}
+
 TEST(TrialConstants, MayBeSwitchedOff) {
   SmootherOptions options;
   options.model.estimate_mountings = false;

@@ -28,7 +28,7 @@ struct Solved {
     workspace.Linearise(problem, state);
     UnmodelledSums sums(problem);
     sums.Add(problem, state, 0, problem.size().knots, workspace);
-    return sums.Estimate(problem);
+    return sums.Estimate();
   }
 
   // (Σ|r|² + 30) / (Σ rows - tr(J Σ Jᵀ) + 30), by the dense covariance.

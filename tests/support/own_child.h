@@ -1,9 +1,10 @@
-// A program started by a test, so that the test can end it by its id.
+// A program started by a test or a benchmark, so that it can be ended by its id.
 #pragma once
 
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@ namespace brachium {
 
 class OwnChild {
  public:
+  // `words`: the program, found as the shell finds it, and its arguments. What it prints is lost.
   explicit OwnChild(std::vector<std::string> words) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -36,10 +38,12 @@ class OwnChild {
     if (pid_ > 0) kill(pid_, signal);
   }
 
-  // The exit code, or 128 and the signal that ended it.
-  int Wait() {
+  // The exit code, or 128 and the signal that ended it; 127 if it could not be started. `usage`,
+  // unless null, receives what it took.
+  int Wait(rusage* usage = nullptr) {
+    if (pid_ < 0) return 127;
     int status = 0;
-    waitpid(pid_, &status, 0);
+    wait4(pid_, &status, 0, usage);
     pid_ = -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }

@@ -59,13 +59,19 @@ class ProgramTest : public testing::Test {
             ReadText(folder_.File("err"))};
   }
 
+  // What it prints where all is well.
+  std::string RunWell(const std::vector<std::string>& words) const {
+    const Outcome outcome = Run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  }
+
   // A short trial; returns its folder.
   std::string Simulate(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words = {"simulate", "--scenario=reach", "--duration_s=16",
                                       "--output=" + Path("trial")};
     words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = Run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    RunWell(words);
     return Path("trial");
   }
 

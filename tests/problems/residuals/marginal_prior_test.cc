@@ -105,5 +105,35 @@ TEST(MarginalPrior, DerivativesAgreeAtItsPointAndFarFromIt) {
   }
 }
 
+// Over three numbers, one of which takes a random step.
+TEST(MarginalPrior, GrowsByTheCovarianceOfAStepAndMovesByItsMean) {
+  std::mt19937 random(4);
+  MatrixXd J(3, 3);
+  for (int i = 0; i < 3; ++i) J.col(i) = RandomVector(3, random);
+  const VectorXd r = RandomVector(3, random), point = VectorXd::Zero(3);
+  constexpr double kMean = 0.3, kSigma = 0.7;
+  MarginalPrior prior({1, 1, 1}, point, J, r);
+  const auto sound = prior.Copy();
+  prior.Step(1, kMean, kSigma);
+  const auto mean_and_covariance = [&](const MarginalPrior& of) {
+    const double zeros[] = {0.0, 0.0, 0.0};
+    const double* x[] = {&zeros[0], &zeros[1], &zeros[2]};
+    Vector3d residual, columns[3];
+    double* jacobians[] = {columns[0].data(), columns[1].data(), columns[2].data()};
+    of.EvaluateTangent(x, residual.data(), jacobians);
+    Eigen::Matrix3d jacobian;
+    jacobian << columns[0], columns[1], columns[2];
+    const Eigen::Matrix3d covariance = (jacobian.transpose() * jacobian).inverse();
+    return std::pair<Vector3d, Eigen::Matrix3d>(-covariance * jacobian.transpose() * residual,
+                                                covariance);
+  };
+  auto [mean, covariance] = mean_and_covariance(*sound);
+  const auto [loose_mean, loose_covariance] = mean_and_covariance(prior);
+  mean[1] += kMean;
+  covariance(1, 1) += kSigma * kSigma;
+  EXPECT_LT((loose_mean - mean).norm(), 1e-9);
+  EXPECT_LT((loose_covariance - covariance).norm(), 1e-9 * covariance.norm());
+}
+
 }  // namespace
 }  // namespace brachium
