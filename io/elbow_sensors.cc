@@ -12,6 +12,7 @@ constexpr double kSmoothing = 0.06;  // half the width of the mean over the sign
 ElbowSensor OnGrid(const Recording& recording, const Eigen::Vector3d& elbow_B, double start,
                    std::size_t size) {
   ElbowSensor sensor;
+  sensor.q_BS = recording.mounting->q_BS;
   sensor.elbow_S = recording.mounting->q_BS.conjugate() * (elbow_B - recording.mounting->p_BS_B);
   std::size_t first = 0;
   for (std::size_t k = 0; k < size; ++k) {

@@ -1,7 +1,7 @@
 // The two sensors beside the elbow, made comparable.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -16,6 +16,7 @@ inline constexpr double kElbowStep = 0.02;  // of the common grid [s]
 struct ElbowSensor {
   std::vector<Eigen::Vector3d> gyr_S, acc_S;
   Eigen::Vector3d elbow_S = Eigen::Vector3d::Zero();  // from the sensor to the elbow, as told [m]
+  Eigen::Quaterniond q_BS = Eigen::Quaterniond::Identity();  // of its mounting, as told
 
   // K of the specific force f_S = acc + K r that a point at r_S from the sensor feels,
   //   K = [α]x + [ω]x²,   α = dω_S/dt. At the ends of the grid, K of the neighbour.

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "io/input_error.h"
+#include "io/rate_check.h"
 #include "io/text.h"
 #include "problems/rotation.h"
 #include "problems/saturation.h"
 #include "problems/statistics.h"
-#include "problems/stillness.h"
 
 namespace brachium {
 namespace {
@@ -59,80 +59,6 @@ void CheckAccelerometer(double acc, double gyr, const std::string& file) {
                      "acc lacks gravity (median norm " + Fixed(acc, 3) +
                          "); expected specific force, 9.81 m/s^2 at rest: export it with gravity "
                          "[acc_without_gravity]");
-}
-
-// A movement from one rest to the next: gravity on both sides of it, and the rates in between.
-struct Passage {
-  Eigen::Vector3d before_S, after_S;  // mean specific force
-  Eigen::Vector3d bias_S;             // mean rate of the rest before
-  std::size_t first = 0, last = 0;    // samples
-};
-
-std::vector<Passage> Passages(const Recording& recording) {
-  constexpr double kLongest = 10.0;        // [s], before drift counts
-  constexpr double kLeast = 10 * kDegree;  // by which gravity turns
-  const std::vector<RestInterval> rests = DetectRests(recording, {});
-  std::vector<Passage> passages;
-  for (std::size_t i = 0; i + 1 < rests.size(); ++i) {
-    const RestInterval &from = rests[i], &to = rests[i + 1];
-    if (to.start - from.end > kLongest || AngleBetween(from.mean_force, to.mean_force) < kLeast)
-      continue;
-    const auto at = [&](double t) {
-      return static_cast<std::size_t>(std::ranges::lower_bound(recording.time, t) -
-                                      recording.time.begin());
-    };
-    const double middle_from = 0.5 * (from.start + from.end), middle_to = 0.5 * (to.start + to.end);
-    passages.push_back({from.mean_force, to.mean_force, from.mean_rate,
-                        at(std::max(middle_from, from.end - 0.5)),
-                        at(std::min(middle_to, to.start + 0.5))});
-  }
-  return passages;
-}
-
-// How far off gravity is after the movement when `scale` times the rates carry it [rad].
-double PassageError(const Recording& recording, const Passage& passage, double scale) {
-  Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
-  for (std::size_t i = passage.first; i < passage.last; ++i) {
-    const double step = recording.time[i + 1] - recording.time[i];
-    const Eigen::Vector3d omega_S =
-        0.5 * (recording.gyr_S[i] + recording.gyr_S[i + 1]) - passage.bias_S;
-    q = q * Exp<double>(scale * step * omega_S);
-  }
-  return AngleBetween(q * passage.after_S, passage.before_S);
-}
-
-double PassageError(const Recording& recording, const std::vector<Passage>& passages,
-                    double scale) {
-  std::vector<double> errors;
-  for (const Passage& passage : passages) errors.push_back(PassageError(recording, passage, scale));
-  return Quantile(std::move(errors), 0.5);
-}
-
-// Between rests the integrated rates must turn gravity as the accelerometer sees it turned. Where a
-// multiple of them does so much better, time runs at that multiple.
-void CheckRate(const Recording& recording, const std::string& name, Findings* findings) {
-  constexpr std::size_t kFewest = 3, kMost = 20;
-  constexpr double kLeast = 3 * kDegree, kTolerance = 0.08;
-  std::vector<Passage> passages = Passages(recording);
-  if (passages.size() < kFewest) return;
-  passages.resize(std::min(passages.size(), kMost));
-  const double told = PassageError(recording, passages, 1.0);
-  if (told < kLeast) return;
-  double best = told, best_scale = 1.0;
-  const auto scan = [&](double from, double to, double factor) {
-    for (double scale = from; scale < to; scale *= factor) {
-      const double error = PassageError(recording, passages, scale);
-      if (error < best) std::tie(best, best_scale) = std::tie(error, scale);
-    }
-  };
-  scan(0.2, 5.0, 1.1);
-  scan(best_scale / 1.1, best_scale * 1.1, 1.01);
-  if (3.0 * best > told || std::abs(best_scale - 1.0) < kTolerance) return;
-  findings->warnings.push_back(
-      name + ": the sampling rate looks wrong (between rests gravity turns " +
-      Fixed(best_scale, 2) + " times as far as gyr says); expected about " +
-      Fixed(1.0 / (best_scale * SamplingPeriod(recording)), 1) +
-      " Hz: check time_s, or the scale of gyr [rate]");
 }
 
 void CheckRange(const std::vector<Eigen::Vector3d>& samples, double least, const std::string& name,

@@ -44,6 +44,48 @@ TEST(TrialChecks, NameNearlyEveryTrialWithAMistake) {
   }
 }
 
+// Skin that turns by 3 deg, 8 deg about the upper arm, so that nothing rests between the movements.
+SimulationOptions OnSkin() {
+  SimulationOptions errors = WornLoosely(3 * kDegree);
+  errors.soft_tissue.upper_arm_along_rms = 8 * kDegree;
+  return errors;
+}
+
+TEST(TrialChecks, AreSilentOnSkinThatMovesWhileTheArmHardlyDoes) {
+  for (const std::string scenario : {"goniometer_steps", "static_pose", "shrug", "daily_slow"}) {
+    ScenarioOptions options{.name = scenario};
+    options.duration = UsualDuration(options);
+    EXPECT_EQ(Said(SoundTrial(options, OnSkin())), "") << scenario;
+  }
+}
+
+TEST(TrialChecks, NameRatesExchangedSensorsAndClocksOnSkin) {
+  std::vector<Trial> sound;
+  for (const std::string scenario : {"daily_brisk", "daily_slow", "reach"})
+    sound.push_back(SoundTrial({.name = scenario}, WornLoosely(3 * kDegree)));
+  for (const Mistake& mistake : Mistakes()) {
+    if (mistake.name != "rate" && mistake.name != "sensors_swapped" && mistake.name != "clock")
+      continue;
+    for (Trial trial : sound) {
+      mistake.make(trial);
+      EXPECT_TRUE(Names(Said(trial), mistake)) << trial.name << ", " << mistake.what;
+    }
+  }
+}
+
+// Its place for the elbow stays: only the carrying angle tells.
+TEST(TrialChecks, NameASensorThatTurnsAboutTheUpperArm) {
+  Trial trial = SoundTrial({.name = "daily_brisk"});
+  Recording& upper = Upper(trial);
+  const Eigen::Vector3d axis_S = upper.mounting->q_BS.conjugate() * Eigen::Vector3d::UnitY();
+  const Eigen::Quaterniond turn = Exp<double>(Eigen::Vector3d(-30 * kDegree * axis_S));
+  for (std::size_t i = upper.size() / 2; i < upper.size(); ++i) {
+    upper.acc_S[i] = turn * upper.acc_S[i];
+    upper.gyr_S[i] = turn * upper.gyr_S[i];
+  }
+  EXPECT_THAT(Said(trial), testing::HasSubstr("[slip]"));
+}
+
 TEST(TrialChecks, TakeTheGravityOfThePlaceAsTold) {
   Trial trial = SoundTrial({.name = "reach", .duration = 20.0});
   for (Recording& recording : trial.observations.recordings)

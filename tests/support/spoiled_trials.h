@@ -109,6 +109,7 @@ inline const std::vector<Mistake>& Mistakes() {
        }},
       {"sensors exchanged", "sensors_swapped",
        [](Trial& t) {
+         std::swap(Upper(t).time, Fore(t).time);
          std::swap(Upper(t).gyr_S, Fore(t).gyr_S);
          std::swap(Upper(t).acc_S, Fore(t).acc_S);
        }},
@@ -154,6 +155,17 @@ inline std::string Said(const Trial& trial) {
 
 inline bool Names(const std::string& said, const Mistake& mistake) {
   return said.find("[" + mistake.name + "]") != said.npos;
+}
+
+// Sensors on skin that turns by `along` about the long axes, the mountings told 2 deg off, 1 % of the
+// samples lost.
+inline SimulationOptions WornLoosely(double along) {
+  SimulationOptions errors;
+  errors.soft_tissue = {
+      .along_rms = along, .across_rms = 0.4 * along, .translation_rms = 0.001 * along / kDegree};
+  errors.mounting_error = 2 * kDegree;
+  errors.lost_share = 0.01;
+  return errors;
 }
 
 // A sound trial, its name the scenario's.
