@@ -132,7 +132,8 @@ TEST(BatchSmoother, DoesNotCareWhichRecordingComesFirst) {
 
 TEST(BatchSmoother, StopsAfterTheWindowsWhenAskedTo) {
   const Trial trial = Brisk(16);
-  const Estimate windows = Smoothed(trial.observations, {.whole_trial = false, .model = {}});
+  const Estimate windows =
+      Smoothed(trial.observations, {.whole_trial = false, .window_s = 4.0, .model = {}});
   EXPECT_EQ(windows.diagnostics.iterations, 0);
   EXPECT_LT(RelativeError(windows, *trial.reference), 3 * kDegree);
   EXPECT_LT(RelativeError(Smoothed(trial.observations), *trial.reference),

@@ -52,11 +52,13 @@ struct Solved {
   int Last() const { return problem.timeline().Intervals(); }
 };
 
+constexpr WindowOptions kShort{.length = 5.0, .advance = 2.5};
+
 // Marginal priors are linearised where the windows stood, which costs some thousandths of a
 // standard deviation even without noise.
 TEST(ForwardWindows, EndWithinATenthOfAStandardDeviationOfTheWholeTrialsLastKnot) {
   for (const SimulationOptions& options : {NoErrors(), SimulationOptions{}}) {
-    Solved solved(Brisk(20, options).observations);
+    Solved solved(Brisk(20, options).observations, kShort);
     EXPECT_GT(solved.report.windows, 4);
     EXPECT_LT(LargestShareOfSd(solved.problem, solved.whole, solved.windows, solved.Last()), 0.1);
   }
@@ -66,7 +68,7 @@ TEST(ForwardWindows, EndWithinATenthOfAStandardDeviationOfTheWholeTrialsLastKnot
 TEST(ForwardWindows, EndWhereTheWholeTrialEndsIfTheModelHoldsExactly) {
   ScenarioOptions exact = BriskScenario(20);
   exact.adduction_rms = exact.carrying_slope = exact.shoulder_rms = 0.0;
-  Solved solved(Simulate(MakeScenario(exact), NoErrors()).trial.observations);
+  Solved solved(Simulate(MakeScenario(exact), NoErrors()).trial.observations, kShort);
   for (int sensor = 0; sensor < 2; ++sensor) {
     const Eigen::Map<Eigen::Quaterniond> q_whole(solved.whole.Attitude(solved.Last(), sensor)),
         q_windows(solved.windows.Attitude(solved.Last(), sensor));
