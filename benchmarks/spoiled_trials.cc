@@ -1,7 +1,7 @@
 // How many mistakes are named at the door, and how many sound trials are suspected: every scenario
 // on rigid sensors, on soft tissue and with drawn errors, both sides, some seeds; then the movements
-// of everyday life spoiled in every way, on rigid sensors and on two kinds of soft tissue. Prints a line for each
-// mistake, with how often something else was named; about half an hour.
+// of everyday life spoiled in every way, on rigid sensors and on two kinds of soft tissue. Prints a
+// line for each mistake, with how often something else was named; about half an hour.
 //
 //   spoiled_trials [SEEDS] [FIRST]
 #include "tests/support/spoiled_trials.h"

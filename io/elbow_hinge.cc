@@ -35,14 +35,29 @@ Vector4d Deviation(double heading, double sine) {
   return {std::cos(heading), std::sin(heading), 1.0, -sine};
 }
 
-double BestHeading(const Matrix4d& sums, double sine) {
-  double best = HUGE_VAL, heading = 0.0;
+struct Direction {
+  double heading, cosine, sine;
+};
+
+std::vector<Direction> Directions() {
+  std::vector<Direction> directions;
   for (int i = 0; i < kHeadings; ++i) {
-    const double tried = 2 * std::numbers::pi * i / kHeadings;
-    const Vector4d v = Deviation(tried, sine);
-    const double squares = v.dot(sums * v);
-    if (squares < best) best = squares, heading = tried;
+    const double heading = 2 * std::numbers::pi * i / kHeadings;
+    directions.push_back({heading, std::cos(heading), std::sin(heading)});
   }
+  return directions;
+}
+
+double BestHeading(const Matrix4d& sums, double sine) {
+  static const std::vector<Direction> directions = Directions();
+  // Σ e² but for what no heading changes, with c and s its cosine and sine.
+  const double by_c = 2 * (sums(0, 2) - sine * sums(0, 3)),
+               by_s = 2 * (sums(1, 2) - sine * sums(1, 3));
+  const auto squares = [&](const Direction& d) {
+    const double c = d.cosine, s = d.sine;
+    return c * (c * sums(0, 0) + 2 * s * sums(0, 1) + by_c) + s * (s * sums(1, 1) + by_s);
+  };
+  const double heading = std::ranges::min_element(directions, {}, squares)->heading;
   const Vector4d v = Deviation(heading, sine);
   const Vector4d slope(-std::sin(heading), std::cos(heading), 0.0, 0.0);
   const double step = slope.dot(sums * v) / std::max(slope.dot(sums * slope), 1e-9);

@@ -50,7 +50,8 @@ struct HingeFit {
 };
 
 // Over windows of `window` instants, the forearm read `lag` instants later than the upper arm. Each
-// window has a heading of its own, which takes up what gyroscopes drift. No windows where the two overlap by less than one.
+// window has a heading of its own, which takes up what gyroscopes drift. No windows where the two
+// overlap by less than one.
 HingeFit FitHinge(const CarriedSensor& upper, const CarriedSensor& fore, const ArmModel& arm,
                   std::size_t window, std::ptrdiff_t lag = 0);
 
