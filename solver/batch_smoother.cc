@@ -27,19 +27,6 @@ Observations Prepared(Observations observations, const SmootherOptions& options)
   return observations;
 }
 
-// The whole trial to convergence.
-void SolveWholeTrial(const ArmProblem& problem, State& state, const SolveOptions& options,
-                     ChainWorkspace& workspace, Diagnostics& diagnostics) {
-  const SolveSummary summary =
-      Solve(problem, state, {}, 0, problem.size().knots - 1, options, &workspace);
-  if (diagnostics.iterations == 0) diagnostics.initial_cost = summary.initial_cost;
-  diagnostics.iterations += summary.iterations;
-  diagnostics.final_cost = summary.final_cost;
-  diagnostics.gradient_norm = summary.gradient_norm;
-  diagnostics.converged = summary.converged;
-  diagnostics.termination = summary.message;
-}
-
 // Sensors that feel more than this beside what rigid segments explain move on them, and what they
 // show of the elbow's axes is not to be trusted [m/s²]. Rigid ones: up to 0.02, on skin that turns by
 // 1 deg 0.05, by 3 deg 0.15.
@@ -50,16 +37,159 @@ bool OnSkin(const ArmProblem& problem) {
                      [](const Unmodelled& left) { return left.acceleration > kOnSkin; });
 }
 
-// Sums the samples again where the movement tells a clock to be elsewhere; says whether it did.
-// `workspace` then holds a pass over the new sums.
-bool FollowsClocks(ArmProblem& problem, State& state, ChainWorkspace& workspace) {
-  const ClocksFound clocks = FindClocks(problem, state, workspace);
-  if (!clocks.far) return false;
-  problem.SumAgain(state, clocks.offsets);
-  workspace.plan = FrontPlan(problem);
-  workspace.Linearise(problem, state);
-  return true;
-}
+// The whole trial as one problem, solved step by step.
+class WholeTrial {
+ public:
+  WholeTrial(const Observations& observations, const SmootherOptions& options,
+             const Progress& progress)
+      : options_(options),
+        progress_(progress),
+        prepared_(Prepared(observations, options)),
+        problem_(prepared_, options.model, options.knot_spacing_s,
+                 observations.recordings.front().segment),
+        state_(problem_.PriorState()) {
+    estimate_.method = "smoother";
+    estimate_.side = observations.arm.side;
+    estimate_.time = observations.recordings.front().time;
+    Ends("preintegration");
+  }
+
+  Estimate Run() {
+    const WindowReport windows = SolveWindows();
+    Ends("windows");
+    ChainWorkspace workspace(problem_);
+    EstimateWeights(workspace);
+    const bool on_skin = WeighsResiduals() && problem_.HasElbow() && OnSkin(problem_);
+    if (on_skin) problem_.HoldMountings(state_);
+    Converge(workspace);
+    Ends("whole trial");
+    FillTrajectory(problem_, state_, estimate_);
+    Ends("trajectory");
+    const Certainty certainty = Assess(workspace);
+    Tell(certainty, on_skin, windows, workspace.plan.columns());
+    Ends("results");
+    return std::move(estimate_);
+  }
+
+ private:
+  bool WeighsResiduals() const { return options_.weight_iterations > 0; }
+  SolverKind Solver() const { return SolverNamed(options_.solver).value(); }
+  void Ends(const char* stage) { estimate_.timing.push_back({stage, watch_.Lap()}); }
+
+  // The first weights come from windows with lever arms and scales as told: free ones would absorb what
+  // the model leaves out, and the weights would confirm them.
+  WindowReport SolveWindows() {
+    if (!WeighsResiduals()) problem_.HoldMountings(state_);
+    UnmodelledSums left(problem_);
+    const WindowReport report = SolveForward(problem_, state_,
+                                             {.length = options_.window_s,
+                                              .only_a_start = true,
+                                              .solver = Solver(),
+                                              .unmodelled = WeighsResiduals() ? &left : nullptr},
+                                             progress_);
+    if (WeighsResiduals()) problem_.SetUnmodelled(left.Estimate());
+    return report;
+  }
+
+  void EstimateWeights(ChainWorkspace& workspace) {
+    int sums = kMostSums;
+    bool followed = false;
+    for (int i = 1; i < options_.weight_iterations; i += followed ? 0 : 1) {
+      if (progress_) progress_("weights", i / (options_.weight_iterations + 1.0));
+      Solve({.solver = Solver(),
+             .most_iterations = 4,
+             .least_decrease = 0.05,
+             .threads = options_.threads},
+            workspace);
+      followed = sums-- > 0 && FollowsClocks(workspace);
+      UnmodelledSums left(problem_);
+      left.Add(problem_, state_, 0, problem_.size().knots, workspace);
+      problem_.SetUnmodelled(left.Estimate());
+    }
+  }
+
+  void Converge(ChainWorkspace& workspace) {
+    if (progress_) progress_("whole trial", 0.9);
+    for (int i = 0;; ++i) {
+      Solve({.solver = Solver(),
+             .most_iterations = 200,
+             .step_in_sd = 0.01,
+             .threads = options_.threads},
+            workspace);
+      if (i == kMostSums || !FollowsClocks(workspace)) return;
+    }
+  }
+
+  void Solve(const SolveOptions& options, ChainWorkspace& workspace) {
+    const SolveSummary summary =
+        brachium::Solve(problem_, state_, {}, 0, problem_.size().knots - 1, options, &workspace);
+    Diagnostics& diagnostics = estimate_.diagnostics;
+    if (diagnostics.iterations == 0) diagnostics.initial_cost = summary.initial_cost;
+    diagnostics.iterations += summary.iterations;
+    diagnostics.final_cost = summary.final_cost;
+    diagnostics.gradient_norm = summary.gradient_norm;
+    diagnostics.converged = summary.converged;
+    diagnostics.termination = summary.message;
+  }
+
+  // Sums the samples again where the movement tells a clock to be elsewhere; says whether it did.
+  // `workspace` then holds a pass over the new sums.
+  bool FollowsClocks(ChainWorkspace& workspace) {
+    const ClocksFound clocks = FindClocks(problem_, state_, workspace);
+    if (!clocks.far) return false;
+    problem_.SumAgain(state_, clocks.offsets);
+    workspace.plan = FrontPlan(problem_);
+    workspace.Linearise(problem_, state_);
+    return true;
+  }
+
+  // The last step was small, but what hardly anything holds is held less where it led to: standard
+  // deviations need a pass of their own.
+  Certainty Assess(ChainWorkspace& workspace) {
+    Certainty certainty;
+    if (!options_.covariance) {
+      certainty.singular = workspace.sweep.Undetermined(workspace.plan);
+      return certainty;
+    }
+    workspace.Linearise(problem_, state_);
+    PoseCovariance poses(problem_, state_);
+    certainty = AssessCertainty(problem_, state_, workspace, &poses);
+    FillStandardDeviations(problem_, poses, estimate_);
+    estimate_.diagnostics.headings = DescribeHeadings(problem_, state_, poses);
+    estimate_.diagnostics.held_by_prior = HeldByPrior(problem_, certainty);
+    Ends("covariance");
+    return certainty;
+  }
+
+  void Tell(const Certainty& certainty, bool on_skin, const WindowReport& windows, int unknowns) {
+    Diagnostics& diagnostics = estimate_.diagnostics;
+    diagnostics.singular = !certainty.singular.empty();
+    diagnostics.residuals = DescribeResiduals(problem_, state_);
+    diagnostics.constants = DescribeConstants(problem_, state_, certainty);
+    diagnostics.notes = FarFromTold(problem_, state_);
+    if (on_skin)
+      diagnostics.notes.push_back(
+          "Sensors move on their segments: mountings are taken as they were told");
+    for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
+      diagnostics.notes.push_back(note);
+    const double residual_scale = ResidualScale(diagnostics.residuals, unknowns);
+    if (options_.scale_sd_by_residuals) ScaleStandardDeviations(residual_scale, estimate_);
+    diagnostics.rests = DescribeRests(problem_);
+    diagnostics.figures = {{"knots", static_cast<double>(problem_.size().knots)},
+                           {"windows", static_cast<double>(windows.windows)},
+                           {"window_iterations", static_cast<double>(windows.iterations)},
+                           {"start_heading_span_s", windows.settling_span},
+                           {"residual_scale", residual_scale}};
+  }
+
+  const SmootherOptions& options_;
+  const Progress& progress_;
+  StageClock watch_;
+  Estimate estimate_;
+  const Observations prepared_;
+  ArmProblem problem_;
+  State state_;
+};
 
 Estimate SmoothedInStretches(const Observations& observations, const SmootherOptions& options,
                              const Progress& progress) {
@@ -94,99 +224,7 @@ bool BatchSmoother::Accepts(const Observations& observations, std::string* why) 
 
 Estimate BatchSmoother::Run(const Observations& observations, const Progress& progress) const {
   if (!options_.whole_trial) return SmoothedInStretches(observations, options_, progress);
-  StageClock watch;
-  Estimate estimate;
-  estimate.method = "smoother";
-  estimate.side = observations.arm.side;
-  estimate.time = observations.recordings.front().time;
-  Diagnostics& diagnostics = estimate.diagnostics;
-  const auto stage = [&](const char* name) { estimate.timing.push_back({name, watch.Lap()}); };
-
-  const Observations prepared = Prepared(observations, options_);
-  ArmProblem problem(prepared, options_.model, options_.knot_spacing_s,
-                     observations.recordings.front().segment);
-  stage("preintegration");
-
-  const SolverKind solver = SolverNamed(options_.solver).value();
-  State state = problem.PriorState();
-  const bool judges_skin = options_.weight_iterations > 0;
-  if (!judges_skin) problem.HoldMountings(state);
-  // The first weights with lever arms and scales as told: free ones would absorb what the model
-  // leaves out, and the weights would confirm them.
-  UnmodelledSums left_by_windows(problem);
-  const WindowReport windows =
-      SolveForward(problem, state,
-                   {.length = options_.window_s,
-                    .only_a_start = true,
-                    .solver = solver,
-                    .unmodelled = judges_skin ? &left_by_windows : nullptr},
-                   progress);
-  if (judges_skin) problem.SetUnmodelled(left_by_windows.Estimate());
-  stage("windows");
-
-  ChainWorkspace workspace(problem);
-  int sums = kMostSums;
-  bool followed = false;
-  for (int i = 1; i < options_.weight_iterations; i += followed ? 0 : 1) {
-    if (progress) progress("weights", i / (options_.weight_iterations + 1.0));
-    SolveWholeTrial(problem, state,
-                    {.solver = solver,
-                     .most_iterations = 4,
-                     .least_decrease = 0.05,
-                     .threads = options_.threads},
-                    workspace, diagnostics);
-    followed = sums-- > 0 && FollowsClocks(problem, state, workspace);
-    UnmodelledSums left(problem);
-    left.Add(problem, state, 0, problem.size().knots, workspace);
-    problem.SetUnmodelled(left.Estimate());
-  }
-  const bool on_skin = judges_skin && problem.HasElbow() && OnSkin(problem);
-  if (on_skin) problem.HoldMountings(state);
-  if (progress) progress("whole trial", 0.9);
-  for (int i = 0;; ++i) {
-    SolveWholeTrial(
-        problem, state,
-        {.solver = solver, .most_iterations = 200, .step_in_sd = 0.01, .threads = options_.threads},
-        workspace, diagnostics);
-    if (i == kMostSums || !FollowsClocks(problem, state, workspace)) break;
-  }
-  stage("whole trial");
-
-  FillTrajectory(problem, state, estimate);
-  stage("trajectory");
-
-  Certainty certainty;
-  if (options_.covariance) {
-    // The last step was small, but what hardly anything holds is held less where it led to.
-    workspace.Linearise(problem, state);
-    PoseCovariance poses(problem, state);
-    certainty = AssessCertainty(problem, state, workspace, &poses);
-    FillStandardDeviations(problem, poses, estimate);
-    diagnostics.headings = DescribeHeadings(problem, state, poses);
-    stage("covariance");
-  } else {
-    certainty.singular = workspace.sweep.Undetermined(workspace.plan);
-  }
-  diagnostics.singular = !certainty.singular.empty();
-  diagnostics.residuals = DescribeResiduals(problem, state);
-  diagnostics.constants = DescribeConstants(problem, state, certainty);
-  if (options_.covariance) diagnostics.held_by_prior = HeldByPrior(problem, certainty);
-  diagnostics.notes = FarFromTold(problem, state);
-  if (on_skin)
-    diagnostics.notes.push_back(
-        "Sensors move on their segments: mountings are taken as they were told");
-  for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
-    diagnostics.notes.push_back(note);
-  const double residual_scale = ResidualScale(diagnostics.residuals, workspace.plan.columns());
-  if (options_.scale_sd_by_residuals) ScaleStandardDeviations(residual_scale, estimate);
-  diagnostics.rests = DescribeRests(problem);
-  diagnostics.figures = {{"knots", static_cast<double>(problem.size().knots)},
-                         {"windows", static_cast<double>(windows.windows)},
-                         {"window_iterations", static_cast<double>(windows.iterations)},
-                         {"start_heading_span_s", windows.settling_span},
-                         {"residual_scale", residual_scale}};
-  stage("results");
-  return estimate;
+  return WholeTrial(observations, options_, progress).Run();
 }
 
 }  // namespace brachium
