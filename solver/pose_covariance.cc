@@ -88,7 +88,8 @@ void PoseCovariance::CollectAttitudes(int knot, const BlockIndex& index,
     }
   };
   store(here, here_);
-  if (knot + 1 < problem_.size().knots) store(all(knot + 1), across_);
+  const bool goes_on = knot + 1 < problem_.size().knots;  // and the covariance tells it
+  if (goes_on && index.OffsetOf(problem_.Attitude(knot + 1, 0)) >= 0) store(all(knot + 1), across_);
 }
 
 void PoseCovariance::CollectJoints(int knot, const BlockIndex& index,
