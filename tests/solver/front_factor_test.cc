@@ -84,7 +84,7 @@ TEST_P(FrontFactor, GivesTheStepsOfTheDenseSolution) {
   front.Factor();
   const VectorXd expected = -front.H.llt().solve(front.g);
   const VectorXd y = front.View().row(front.columns).head(front.pivots);
-  constexpr int kSides = 4;  // multiples of one another
+  constexpr int kSides = 7;  // multiples of one another: two threes and one more
   MatrixXd ys(y.size(), kSides), ds = MatrixXd::Constant(front.stride, kSides, std::nan(""));
   std::vector<const double*> y_of;
   std::vector<double*> d_of;
