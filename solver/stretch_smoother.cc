@@ -241,7 +241,8 @@ void StretchSmoother::SolveWindows(Part& part, UnmodelledSums& left) {
     solve();
     const bool ends = part.is_last && windows.end() == part.stop;
     const int next = ends ? windows.end() + 1 : windows.NextStart(part.stop);
-    left.Add(part.problem, part.state, windows.start(), next, windows.workspace());
+    if (options_.weight_iterations > 0)
+      left.Add(part.problem, part.state, windows.start(), next, windows.workspace());
     part.residuals.Add(part.problem, part.state, windows.start(), next);
     if (ends) break;
     windows.Advance(part.stop);
