@@ -197,8 +197,9 @@ std::string Table5(const ExperimentResults& results, bool quick) {
 ExperimentPlan PlanZhou2008(bool quick) {
   ExperimentPlan plan;
   for (const Movement& movement : Movements(quick)) {
-    ExperimentTrial trial{
-        .name = movement.name, .movement = {}, .errors = HonestErrors(MtxNoise())};
+    ExperimentTrial trial;
+    trial.name = movement.name;
+    trial.errors = HonestErrors(MtxNoise());
     trial.movement.name = movement.scenario;
     trial.movement.side = movement.side;
     trial.movement.duration = kRestAtStart + movement.seconds + kRestAtEnd;

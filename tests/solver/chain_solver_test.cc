@@ -82,10 +82,15 @@ TEST_P(BothSolvers, ReachTheSameMinimum) {
       .ExpectTheSameMinimumByBothSolvers();
 }
 
+SimulationOptions OnSkin() {
+  SimulationOptions options;
+  options.soft_tissue = TypicalSoftTissue();
+  return options;
+}
+
 INSTANTIATE_TEST_SUITE_P(Simulated, BothSolvers,
                          testing::Values(Simulated{"daily_brisk", {}}, Simulated{"daily_slow", {}},
-                                         Simulated{"daily_brisk",
-                                                   {.soft_tissue = TypicalSoftTissue()}},
+                                         Simulated{"daily_brisk", OnSkin()},
                                          Simulated{"daily_brisk", NoErrors()}));
 
 TEST(BothSolvers, ReachTheSameMinimumOfOneSensor) {

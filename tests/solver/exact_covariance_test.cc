@@ -59,7 +59,6 @@ struct Assessed {
 template <typename Expected>
 double WorstDifference(Assessed& assessed, const std::vector<int>& knots,
                        const Expected& expected) {
-  const ArmProblem& problem = assessed.problem;
   double worst = 0.0;
   for (const int knot : knots) {
     const MatrixXd P = assessed.poses.Attitudes(knot, 0.0);

@@ -62,9 +62,10 @@ TEST(FrontPlan, PlacesEveryBlockWhereItsUnknownStandsInTheFront) {
         EXPECT_TRUE(std::any_of(members.begin(), members.end(), [&](const auto& member) {
           return member.variable == blocks[i].variable && member.column == blocks[i].column;
         }));
-        for (const TermBlock& other : blocks)
-          if (other.place >= 0)
-            EXPECT_EQ(other.place < blocks[i].place, other.column < blocks[i].column);
+        for (const TermBlock& other : blocks) {
+          if (other.place < 0) continue;
+          EXPECT_EQ(other.place < blocks[i].place, other.column < blocks[i].column);
+        }
       }
     }
   EXPECT_EQ(terms, planned.problem.terms().size());
