@@ -102,7 +102,7 @@ Preintegrated SomeInterval() {
 }
 
 void MeasureSamples() {
-  const Preintegrated interval = SomeInterval();
+  static const Preintegrated interval = SomeInterval();
   const Quaterniond q_BS = Exp<double>(Vector3d(0.4, -1.0, 0.7));
   const auto white = Whitening2::FromCovariance(WhiteAccelerationCovariance(0.01, kStep));
   Measure("gyroscope", Gyroscope(interval, q_BS, 0.3, 0.01));

@@ -68,9 +68,9 @@ int Unknown::Size() const {
   return kind == UnknownKind::kCarryingAngle ? 2 : 3;
 }
 
-ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& options,
-                       double knot_spacing, std::optional<Segment> clock, Stretch stretch)
-    : observations_(observations),
+ArmProblem::ArmProblem(Observations observations, const ModelOptions& options, double knot_spacing,
+                       std::optional<Segment> clock, Stretch stretch)
+    : observations_(std::move(observations)),
       options_(options),
       stretch_(std::move(stretch)),
       clock_sensor_(clock ? SensorOn(*clock) : 0) {
@@ -89,6 +89,7 @@ ArmProblem::ArmProblem(const Observations& observations, const ModelOptions& opt
   first_constant_ = first_node_ + sensors * size_.nodes;
   unmodelled_.assign(U(sensors), {options.unmodelled_acceleration, options.unmodelled_quiver});
 
+  terms_.reserve(U(size_.knots * (5 * sensors + 4)));  // what there may be at a knot
   AddConstants();
   const State prior = PriorState();
   intervals_.reserve(U(timeline_.Intervals() * sensors));

@@ -78,7 +78,7 @@ class ArmProblem {
   // `clock`: the segment whose sensor's clock is the true time; else the first one's. A `stretch`
   // that continues another has no terms about its first knot and the constants alone: a marginal
   // prior speaks of them.
-  ArmProblem(const Observations& observations, const ModelOptions& options, double knot_spacing,
+  ArmProblem(Observations observations, const ModelOptions& options, double knot_spacing,
              std::optional<Segment> clock = std::nullopt, Stretch stretch = {});
 
   const Timeline& timeline() const { return timeline_; }

@@ -24,23 +24,6 @@ constexpr double kForceLimit = 10.0;       // [m/s²]
 // Half of the time over which a signal is taken for a parabola to tell it from its noise [s].
 constexpr double kSmoothed = 0.05;
 
-// Each sample on the parabola through its neighbours at up to `reach` on either side.
-// Source: Savitzky & Golay, Anal. Chem. 36 (1964).
-std::vector<Vector3d> Smoothed(const std::vector<Vector3d>& samples, std::size_t reach) {
-  std::vector<Vector3d> smoothed;
-  smoothed.reserve(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const std::size_t m = std::min({reach, i, samples.size() - 1 - i});
-    const auto n = static_cast<double>(m);
-    const double total = (2 * n - 1) * (2 * n + 1) * (2 * n + 3), top = 3 * (3 * n * n + 3 * n - 1);
-    Vector3d sum = top / total * samples[i];
-    for (std::size_t j = 1; j <= m; ++j)
-      sum += (top - 15 * static_cast<double>(j * j)) / total * (samples[i - j] + samples[i + j]);
-    smoothed.push_back(sum);
-  }
-  return smoothed;
-}
-
 // The turn of a part of a cell of length h, and what a bias changes of it.
 struct PartTurn {
   PartTurn(double h, const Vector3d& w, const Vector3d& w_slope) {
@@ -61,66 +44,44 @@ struct Preintegrator::Cell {
 };
 
 Preintegrator::Preintegrator(const Recording& recording) : period_(SamplingPeriod(recording)) {
-  const double period = period_;
   const std::size_t n = recording.size();
-  const auto push = [this](double begin, double centre, const Vector3d& gyr, const Vector3d& acc,
-                           double gap) {
-    const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
-    const double force_error = std::min(kForceCurvature * gap * gap, kForceLimit);
-    edges_.push_back(begin);
-    centres_.push_back(centre);
-    gyr_.push_back(gyr);
-    acc_.push_back(acc);
-    gyro_unknown_.push_back(rate_error * rate_error * gap);
-    accel_unknown_.push_back(force_error * force_error * gap);
-  };
-  double begin = recording.time[0] - period / 2;
-  for (std::size_t i = 0; i < n; ++i) {
-    push(begin, recording.time[i], recording.gyr_S[i], recording.acc_S[i], 0.0);
-    if (i + 1 == n) break;
-    const double step = recording.time[i + 1] - recording.time[i];
-    begin = recording.time[i] + step / 2;
-    if (step <= kGapFactor * period) continue;
-    push(recording.time[i] + period / 2, begin, 0.5 * (recording.gyr_S[i] + recording.gyr_S[i + 1]),
-         0.5 * (recording.acc_S[i] + recording.acc_S[i + 1]), step - period);
-    begin = recording.time[i + 1] - period / 2;
-  }
-  edges_.push_back(recording.time[n - 1] + period / 2);
+  const std::vector<double>& time = recording.time;
+  const auto is_gap = [&](std::size_t i) { return time[i + 1] - time[i] > kGapFactor * period_; };
+  std::size_t cells = n + 2;
+  for (std::size_t i = 0; i + 1 < n; ++i) cells += is_gap(i) ? 1 : 0;
+  edges_.reserve(cells + 1);
+  for (auto* numbers : {&centres_, &gyro_unknown_, &accel_unknown_}) numbers->reserve(cells);
+  for (auto* vectors : {&gyr_, &acc_}) vectors->reserve(cells);
 
-  for (std::size_t i = 0; i < gyr_.size(); ++i) {
-    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, gyr_.size() - 1);
-    const double span = centres_[after] - centres_[before];
-    gyr_slope_.push_back((gyr_[after] - gyr_[before]) / span);
-    acc_slope_.push_back((acc_[after] - acc_[before]) / span);
+  double begin = time[0] - period_ / 2;
+  AddCell(begin - kHeld, begin - kHeld / 2, recording.gyr_S[0], recording.acc_S[0], kHeld);
+  for (std::size_t i = 0; i < n; ++i) {
+    AddCell(begin, time[i], recording.gyr_S[i], recording.acc_S[i], 0.0);
+    if (i + 1 == n) break;
+    const double step = time[i + 1] - time[i];
+    begin = time[i] + step / 2;
+    if (!is_gap(i)) continue;
+    AddCell(time[i] + period_ / 2, begin, 0.5 * (recording.gyr_S[i] + recording.gyr_S[i + 1]),
+            0.5 * (recording.acc_S[i] + recording.acc_S[i + 1]), step - period_);
+    begin = time[i + 1] - period_ / 2;
   }
-  const auto reach = static_cast<std::size_t>(std::lround(kSmoothed / period_));
-  gyr_smooth_ = Smoothed(gyr_, reach);
-  acc_smooth_ = Smoothed(acc_, reach);
+  const double end = time[n - 1] + period_ / 2;
+  AddCell(end, end + kHeld / 2, recording.gyr_S[n - 1], recording.acc_S[n - 1], kHeld);
+  edges_.push_back(end + kHeld);
   DoubtSaturated(recording);
-  HoldEnds();
 }
 
-// Puts a cell before the first and one after the last.
-void Preintegrator::HoldEnds() {
-  edges_.insert(edges_.begin(), edges_.front() - kHeld);
-  edges_.push_back(edges_.back() + kHeld);
-  centres_.insert(centres_.begin(), centres_.front() - kHeld);
-  centres_.push_back(centres_.back() + kHeld);
-  for (auto* values : {&gyr_, &acc_, &gyr_smooth_, &acc_smooth_}) {
-    values->insert(values->begin(), values->front());
-    values->push_back(values->back());
-  }
-  for (auto* slopes : {&gyr_slope_, &acc_slope_}) {
-    slopes->insert(slopes->begin(), Vector3d::Zero());
-    slopes->push_back(Vector3d::Zero());
-  }
-  const auto doubt = [](std::vector<double>& unknown, double curvature, double limit) {
-    const double density = std::pow(std::min(curvature * kHeld * kHeld, limit), 2) * kHeld;
-    unknown.insert(unknown.begin(), density);
-    unknown.push_back(density);
-  };
-  doubt(gyro_unknown_, kRateCurvature, kRateLimit);
-  doubt(accel_unknown_, kForceCurvature, kForceLimit);
+// `gap`: for how long there was no sample.
+void Preintegrator::AddCell(double begin, double centre, const Vector3d& gyr, const Vector3d& acc,
+                            double gap) {
+  const double rate_error = std::min(kRateCurvature * gap * gap, kRateLimit);
+  const double force_error = std::min(kForceCurvature * gap * gap, kForceLimit);
+  edges_.push_back(begin);
+  centres_.push_back(centre);
+  gyr_.push_back(gyr);
+  acc_.push_back(acc);
+  gyro_unknown_.push_back(rate_error * rate_error * gap);
+  accel_unknown_.push_back(force_error * force_error * gap);
 }
 
 // The hidden excess is one number for a whole run: its variance grows with the run's length squared.
@@ -143,8 +104,31 @@ void Preintegrator::DoubtSaturated(const Recording& recording) {
 Preintegrator::Cell Preintegrator::Clip(std::size_t cell, double start, double end) const {
   const double from = std::max(start, edges_[cell]), to = std::min(end, edges_[cell + 1]);
   const double shift = 0.5 * (from + to) - 0.5 * (edges_[cell] + edges_[cell + 1]);
-  return {to - from, gyr_[cell] + shift * gyr_slope_[cell], acc_[cell] + shift * acc_slope_[cell],
-          gyr_slope_[cell], acc_slope_[cell]};
+  const Vector3d w_slope = Slope(gyr_, cell), f_slope = Slope(acc_, cell);
+  return {to - from, gyr_[cell] + shift * w_slope, acc_[cell] + shift * f_slope, w_slope, f_slope};
+}
+
+// From the neighbours; what is held beyond the ends has none and is none.
+Vector3d Preintegrator::Slope(const std::vector<Vector3d>& values, std::size_t cell) const {
+  const std::size_t last = Cells() - 1;
+  if (cell == 0 || cell == last) return Vector3d::Zero();
+  const std::size_t before = std::max<std::size_t>(cell - 1, 1),
+                    after = std::min(cell + 1, last - 1);
+  return (values[after] - values[before]) / (centres_[after] - centres_[before]);
+}
+
+// On the parabola through its neighbours, as many on either side as kSmoothed and the ends allow.
+// Source: Savitzky & Golay, Anal. Chem. 36 (1964).
+Vector3d Preintegrator::Smooth(const std::vector<Vector3d>& values, std::size_t cell) const {
+  const std::size_t last = Cells() - 2, i = std::clamp<std::size_t>(cell, 1, last);
+  const auto reach = static_cast<std::size_t>(std::lround(kSmoothed / period_));
+  const std::size_t m = std::min({reach, i - 1, last - i});
+  const auto n = static_cast<double>(m);
+  const double total = (2 * n - 1) * (2 * n + 1) * (2 * n + 3), top = 3 * (3 * n * n + 3 * n - 1);
+  Vector3d sum = top / total * values[i];
+  for (std::size_t j = 1; j <= m; ++j)
+    sum += (top - 15 * static_cast<double>(j * j)) / total * (values[i - j] + values[i + j]);
+  return sum;
 }
 
 std::size_t Preintegrator::CellAt(double time) const {
@@ -153,12 +137,12 @@ std::size_t Preintegrator::CellAt(double time) const {
 }
 
 Vector3d Preintegrator::At(const std::vector<Vector3d>& values, double time) const {
-  const std::size_t cell = std::min(CellAt(time), values.size() - 1);
+  const std::size_t cell = std::min(CellAt(time), Cells() - 1);
   const std::size_t before = time < centres_[cell] && cell > 0 ? cell - 1 : cell;
-  const std::size_t after = std::min(before + 1, values.size() - 1);
-  if (after == before) return values[before];
+  const std::size_t after = std::min(before + 1, Cells() - 1);
+  if (after == before) return Smooth(values, before);
   const double fraction = (time - centres_[before]) / (centres_[after] - centres_[before]);
-  return values[before] + fraction * (values[after] - values[before]);
+  return (1 - fraction) * Smooth(values, before) + fraction * Smooth(values, after);
 }
 
 Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias,
@@ -167,7 +151,7 @@ Turned Preintegrator::Turn(double start, double end, const Vector3d& gyro_bias,
   turned.duration = end - start;
   start -= clock_offset;
   end -= clock_offset;
-  for (std::size_t i = CellAt(start); i < gyr_.size() && edges_[i] < end; ++i) {
+  for (std::size_t i = CellAt(start); i < Cells() && edges_[i] < end; ++i) {
     const Cell cell = Clip(i, start, end);
     if (cell.h <= 0.0) continue;
     const PartTurn turn(cell.h, cell.w - gyro_bias, cell.w_slope);
@@ -186,7 +170,7 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
   sum.clock_offset = clock_offset;
   start -= clock_offset;
   end -= clock_offset;
-  for (std::size_t i = CellAt(start); i < gyr_.size() && edges_[i] < end; ++i) {
+  for (std::size_t i = CellAt(start); i < Cells() && edges_[i] < end; ++i) {
     const auto [h, gyr, f, w_slope, f_slope] = Clip(i, start, end);
     if (h <= 0.0) continue;
     const Vector3d w = gyr - gyro_bias;
@@ -226,8 +210,8 @@ Preintegrated Preintegrator::Sum(double start, double end, const Vector3d& gyro_
     sum.gyro_gap_variance += gyro_unknown_[i] * h;
     sum.accel_gap_variance += accel_unknown_[i] * h;
   }
-  const Vector3d w_0 = At(gyr_smooth_, start) - gyro_bias, w_1 = At(gyr_smooth_, end) - gyro_bias;
-  const Vector3d f_0 = At(acc_smooth_, start), f_1 = At(acc_smooth_, end);
+  const Vector3d w_0 = At(gyr_, start) - gyro_bias, w_1 = At(gyr_, end) - gyro_bias;
+  const Vector3d f_0 = At(acc_, start), f_1 = At(acc_, end);
   sum.dR_dc = sum.dq.conjugate() * w_0 - w_1;
   sum.dv_dc = w_0.cross(sum.dv) - sum.dq * f_1 + f_0;
   sum.dp_dc = w_0.cross(sum.dp) - sum.dv + sum.duration * f_0;

@@ -91,12 +91,16 @@ class Preintegrator {
 
  private:
   struct Cell;
+  std::size_t Cells() const { return gyr_.size(); }
   Cell Clip(std::size_t cell, double start, double end) const;
+  Eigen::Vector3d Slope(const std::vector<Eigen::Vector3d>& values, std::size_t cell) const;
   std::size_t CellAt(double time) const;
-  // Straight between the cells' centres. `time` within the cells.
+  Eigen::Vector3d Smooth(const std::vector<Eigen::Vector3d>& values, std::size_t cell) const;
+  // Smooth, and straight between the cells' centres. `time` within the cells.
   Eigen::Vector3d At(const std::vector<Eigen::Vector3d>& values, double time) const;
+  void AddCell(double begin, double centre, const Eigen::Vector3d& gyr, const Eigen::Vector3d& acc,
+               double gap);
   void DoubtSaturated(const Recording& recording);
-  void HoldEnds();
 
   double period_;
   std::vector<double> edges_;  // cell i lies between edges i and i+1; the first and the last hold
@@ -105,7 +109,7 @@ class Preintegrator {
   // neighbours stands in, and where the sensor was out of its range.
   std::vector<double> gyro_unknown_;   // [rad²/s]
   std::vector<double> accel_unknown_;  // [m²/s³]
-  std::vector<Eigen::Vector3d> gyr_, acc_, gyr_slope_, acc_slope_, gyr_smooth_, acc_smooth_;
+  std::vector<Eigen::Vector3d> gyr_, acc_;
 };
 
 }  // namespace brachium

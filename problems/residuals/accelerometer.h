@@ -29,7 +29,8 @@ class Accelerometer {
   // q_WB, P_k, P_k+1, v_k, v_k+1, gyro biases and scale, accelerometer bias and scale, clock
   using Blocks = std::integer_sequence<int, 4, 3, 3, 3, 3, 3, 3, 3, 3, 3, 1>;
 
-  // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1. `gravity` [m/s²].
+  // `interval` must outlive the residual. `alpha`: where its middle lies between the bias nodes, 0 to
+  // 1. `gravity` [m/s²].
   Accelerometer(const Preintegrated& interval, const Eigen::Quaterniond& q_BS, double alpha,
                 double gravity, const Whitening2& whitening)
       : interval_(interval), q_BS_(q_BS), alpha_(alpha), gravity_(gravity), whitening_(whitening) {}
@@ -97,7 +98,7 @@ class Accelerometer {
     block.tail<3>() = -whitening_.pv * interval_.dv_dc - whitening_.pp * interval_.dp_dc;
   }
 
-  Preintegrated interval_;
+  const Preintegrated& interval_;
   Eigen::Quaterniond q_BS_;
   double alpha_;
   double gravity_;

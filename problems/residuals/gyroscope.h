@@ -29,18 +29,11 @@ class Gyroscope {
   using Blocks =
       std::integer_sequence<int, 4, 4, 3, 3, 3, 1>;  // q_WB,k, q_WB,k+1, b_j, b_j+1, s, τ
 
-  // `alpha`: where the interval's middle lies between the bias nodes, 0 to 1. `sigma` [rad].
+  // `interval` must outlive the residual. `alpha`: where its middle lies between the bias nodes, 0 to
+  // 1. `sigma` [rad].
   Gyroscope(const Preintegrated& interval, const Eigen::Quaterniond& q_BS, double alpha,
             double sigma)
-      : dq_(interval.dq),
-        dR_dbg_(interval.dR_dbg),
-        dR_dsg_(interval.dR_dsg),
-        dR_dc_(interval.dR_dc),
-        bias_(interval.gyro_bias),
-        clock_offset_(interval.clock_offset),
-        q_BS_(q_BS),
-        alpha_(alpha),
-        weight_(1.0 / sigma) {}
+      : interval_(interval), q_BS_(q_BS), alpha_(alpha), weight_(1.0 / sigma) {}
 
   template <typename T>
   void operator()(const T* const* x, T* r) const {
@@ -48,10 +41,11 @@ class Gyroscope {
     using Vector = Eigen::Map<const Vector3T<T>>;
     const Eigen::Quaternion<T> q_BS = q_BS_.cast<T>();
     const Vector3T<T> bias = (T(1) - T(alpha_)) * Vector(x[2]) + T(alpha_) * Vector(x[3]);
-    const Vector3T<T> correction = dR_dbg_.cast<T>() * (bias - bias_.cast<T>()) +
-                                   dR_dsg_.cast<T>() * Vector(x[4]) +
-                                   dR_dc_.cast<T>() * (x[5][0] - T(clock_offset_));
-    const Eigen::Quaternion<T> dq = dq_.cast<T>() * Exp<T>(correction);
+    const Vector3T<T> correction =
+        interval_.dR_dbg.cast<T>() * (bias - interval_.gyro_bias.cast<T>()) +
+        interval_.dR_dsg.cast<T>() * Vector(x[4]) +
+        interval_.dR_dc.cast<T>() * (x[5][0] - T(interval_.clock_offset));
+    const Eigen::Quaternion<T> dq = interval_.dq.cast<T>() * Exp<T>(correction);
     const Eigen::Quaternion<T> turn = (Rotation(x[0]) * q_BS).conjugate() * (Rotation(x[1]) * q_BS);
     Eigen::Map<Vector3T<T>>{r} = T(weight_) * Log<T>(dq.conjugate() * turn);
   }
@@ -61,9 +55,10 @@ class Gyroscope {
     using Vector = Eigen::Map<const Eigen::Vector3d>;
     using Block = Eigen::Map<RowMajor<3, 3>>;
     const Eigen::Vector3d bias = (1 - alpha_) * Vector(x[2]) + alpha_ * Vector(x[3]);
-    const Eigen::Vector3d correction =
-        dR_dbg_ * (bias - bias_) + dR_dsg_ * Vector(x[4]) + dR_dc_ * (x[5][0] - clock_offset_);
-    const Eigen::Quaterniond q_error = (dq_ * Exp<double>(correction)).conjugate() *
+    const Eigen::Vector3d correction = interval_.dR_dbg * (bias - interval_.gyro_bias) +
+                                       interval_.dR_dsg * Vector(x[4]) +
+                                       interval_.dR_dc * (x[5][0] - interval_.clock_offset);
+    const Eigen::Quaterniond q_error = (interval_.dq * Exp<double>(correction)).conjugate() *
                                        (Rotation(x[0]) * q_BS_).conjugate() *
                                        (Rotation(x[1]) * q_BS_);
     const Eigen::Matrix3d R_SB = q_BS_.conjugate().toRotationMatrix();
@@ -72,19 +67,15 @@ class Gyroscope {
     Block{J[0]} = -J_e * (R_SB * (Rotation(x[1]).conjugate() * Rotation(x[0])).toRotationMatrix());
     const Eigen::Matrix3d J_c =
         -J_e * q_error.conjugate().toRotationMatrix() * RightJacobian(correction);
-    const Eigen::Matrix3d J_b = J_c * dR_dbg_;
+    const Eigen::Matrix3d J_b = J_c * interval_.dR_dbg;
     Block{J[2]} = (1 - alpha_) * J_b;
     Block{J[3]} = alpha_ * J_b;
-    Block{J[4]} = J_c * dR_dsg_;
-    Eigen::Map<Eigen::Vector3d>{J[5]} = J_c * dR_dc_;
+    Block{J[4]} = J_c * interval_.dR_dsg;
+    Eigen::Map<Eigen::Vector3d>{J[5]} = J_c * interval_.dR_dc;
   }
 
  private:
-  Eigen::Quaterniond dq_;
-  Eigen::Matrix3d dR_dbg_, dR_dsg_;
-  Eigen::Vector3d dR_dc_;
-  Eigen::Vector3d bias_;
-  double clock_offset_;
+  const Preintegrated& interval_;
   Eigen::Quaterniond q_BS_;
   double alpha_;
   double weight_;
