@@ -49,8 +49,8 @@ double DrawnSd(ChainWorkspace& workspace, int unknown) {
   return std::sqrt(squares / kDraws);
 }
 
-Certainty AssessCertainty(const ArmProblem& problem, const State& state,
-                          const ChainWorkspace& workspace, PoseCovariance* poses) {
+Certainty AssessCertainty(const ArmProblem& problem, const State& state, ChainWorkspace& workspace,
+                          PoseCovariance* poses) {
   const Elimination elimination(workspace);
   Certainty certainty;
   certainty.singular = elimination.singular();

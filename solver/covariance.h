@@ -21,8 +21,8 @@ struct Certainty {
 
 // By the last pass of `workspace`, which was over the whole trial at `state`. Cost and
 // memory are linear in its length. `poses`, unless null, is filled with what it collects.
-Certainty AssessCertainty(const ArmProblem& problem, const State& state,
-                          const ChainWorkspace& workspace, PoseCovariance* poses = nullptr);
+Certainty AssessCertainty(const ArmProblem& problem, const State& state, ChainWorkspace& workspace,
+                          PoseCovariance* poses = nullptr);
 
 // Sd of an unknown of one number by the last pass of `workspace`, to a tenth, at the cost of some
 // passes; for one that a plan does not know, 0.

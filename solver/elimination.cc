@@ -65,7 +65,7 @@ CarriedPrior Elimination::Carry() const {
     point.insert(point.end(), variable.value, variable.value + variable.size);
   }
   const Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>> factor(
-      sweep_.Factor(last), last.Stride(), last.columns, Eigen::OuterStride<>(last.Stride()));
+      sweep_.LastFactor(), last.Stride(), last.columns, Eigen::OuterStride<>(last.Stride()));
   MatrixXd J = factor.block(first, first, kept, kept).transpose().triangularView<Eigen::Upper>();
   VectorXd r = factor.row(last.columns).segment(first, kept);
   for (int i = 0; i < kept; ++i) {
@@ -86,18 +86,18 @@ void Elimination::VisitCovariances(const Visitor& visit) const {
   BlockIndex index;
   std::span<const FrontPlan::Run> runs;  // with which the next front took over
   int stride_next = 0;
-  for (auto front = plan_.fronts().rbegin(); front != plan_.fronts().rend(); ++front) {
-    TakeOver(runs, next.data(), stride_next, *front, here.data());
-    ExtendCovariance(sweep_.Factor(*front), front->Stride(), front->columns, front->eliminated,
-                     here.data(), scratch.data());
-    FillIndex(plan_, *front, index);
-    visit(front->knot, index,
-          CovarianceView(here.data(), front->columns, front->columns,
-                         Eigen::OuterStride<>(front->Stride())));
-    runs = plan_.Runs(*front);
-    stride_next = front->Stride();
+  sweep_.VisitBackwards(plan_, [&](const FrontPlan::Front& front, const double* L) {
+    TakeOver(runs, next.data(), stride_next, front, here.data());
+    ExtendCovariance(L, front.Stride(), front.columns, front.eliminated, here.data(),
+                     scratch.data());
+    FillIndex(plan_, front, index);
+    visit(front.knot, index,
+          CovarianceView(here.data(), front.columns, front.columns,
+                         Eigen::OuterStride<>(front.Stride())));
+    runs = plan_.Runs(front);
+    stride_next = front.Stride();
     std::swap(here, next);
-  }
+  });
 }
 
 }  // namespace brachium

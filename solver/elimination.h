@@ -37,7 +37,7 @@ class Elimination {
               int end_knot, ChainWorkspace& workspace);
 
   // What the last pass over a workspace's plan left. Holds until `workspace` is used again.
-  explicit Elimination(const ChainWorkspace& workspace)
+  explicit Elimination(ChainWorkspace& workspace)
       : plan_(workspace.plan), sweep_(workspace.sweep) {}
 
   // What was said about the unknowns that later terms touch, as a residual with its point. Requires a
@@ -50,14 +50,15 @@ class Elimination {
   // A pivot block was not positive definite: the information does not determine its unknowns.
   std::vector<int> singular() const { return sweep_.Undetermined(plan_); }
 
-  // Visits the fronts from last to first with the joint covariance of their unknowns.
+  // Visits the fronts from last to first with the joint covariance of their unknowns. Their values
+  // must be those of the last pass.
   using Visitor =
       std::function<void(int knot, const BlockIndex& index, const CovarianceView& covariance)>;
   void VisitCovariances(const Visitor& visit) const;
 
  private:
   const FrontPlan& plan_;
-  const FrontSweep& sweep_;
+  FrontSweep& sweep_;
 };
 
 }  // namespace brachium

@@ -17,6 +17,8 @@ namespace {
 // Four numbers as one, at any address.
 typedef double Lane __attribute__((vector_size(kLane * sizeof(double)), aligned(8), may_alias));
 
+typedef Kept KeptLane __attribute__((vector_size(kLane * sizeof(Kept)), aligned(4), may_alias));
+
 BRACHIUM_INLINE Lane& At(double* x) { return *reinterpret_cast<Lane*>(x); }
 BRACHIUM_INLINE const Lane& At(const double* x) { return *reinterpret_cast<const Lane*>(x); }
 
@@ -113,9 +115,9 @@ BRACHIUM_INLINE double Sum(Lane lane) { return (lane[0] + lane[1]) + (lane[2] + 
 
 // d_k = -(y_k + Σ_m>k L(m, k) d_m) / L(k, k) for kColumns columns from `begin` on, last column first.
 template <int kColumns, int kSides>
-BRACHIUM_INLINE void BackSubstituteColumns(const double* L, int stride, int begin,
+BRACHIUM_INLINE void BackSubstituteColumns(const Kept* L, int stride, int begin,
                                            const double* const* y, double* const* d) {
-  const double* columns = L + begin * stride;
+  const Kept* columns = L + begin * stride;
   const int end = begin + kColumns;
   Lane sums[kSides][kColumns] = {};
   int row = end;
@@ -124,12 +126,13 @@ BRACHIUM_INLINE void BackSubstituteColumns(const double* L, int stride, int begi
       for (int c = 0; c < kColumns; ++c) sums[s][c][0] += columns[c * stride + row] * d[s][row];
   for (; row < stride; row += kLane)
     for (int c = 0; c < kColumns; ++c) {
-      const Lane entry = At(columns + c * stride + row);
+      const auto& kept = *reinterpret_cast<const KeptLane*>(columns + c * stride + row);
+      const Lane entry = __builtin_convertvector(kept, Lane);
       for (int s = 0; s < kSides; ++s) sums[s][c] += entry * At(d[s] + row);
     }
   for (int s = 0; s < kSides; ++s)
     for (int c = kColumns - 1; c >= 0; --c) {
-      const double* column = columns + c * stride;
+      const Kept* column = columns + c * stride;
       double sum = y[s][begin + c] + Sum(sums[s][c]);
       for (int m = begin + c + 1; m < end; ++m) sum += column[m] * d[s][m];
       d[s][begin + c] = -sum / column[begin + c];
@@ -137,7 +140,7 @@ BRACHIUM_INLINE void BackSubstituteColumns(const double* L, int stride, int begi
 }
 
 template <int kSides>
-BRACHIUM_INLINE void BackSubstituteSome(const double* L, int stride, int begin, int pivots,
+BRACHIUM_INLINE void BackSubstituteSome(const Kept* L, int stride, int begin, int pivots,
                                         const double* const* y, double* const* d) {
   switch (pivots - begin) {
     case 1:
@@ -243,7 +246,13 @@ int FactorFront(double* E, double* S, int stride, int columns, int pivots, const
 }
 
 BRACHIUM_FOR_THIS_MACHINE
-void BackSubstitute(const double* L, int stride, int columns, int pivots, int sides,
+void Keep(const double* E, int numbers, Kept* kept) {
+  for (int i = 0; i < numbers; i += kLane)
+    *reinterpret_cast<KeptLane*>(kept + i) = __builtin_convertvector(At(E + i), KeptLane);
+}
+
+BRACHIUM_FOR_THIS_MACHINE
+void BackSubstitute(const Kept* L, int stride, int columns, int pivots, int sides,
                     const double* const* y, double* const* d) {
   for (int side = 0; side < sides; ++side)
     for (int row = columns; row < stride; ++row) d[side][row] = 0.0;

@@ -11,6 +11,10 @@ namespace brachium {
 
 constexpr int kLane = 4;  // numbers that the loops take at a time
 
+// What is kept of a factor. In single precision it takes half the memory, most of what a trial needs;
+// a step then has seven digits, enough to descend by a gradient that has all.
+using Kept = float;
+
 constexpr int Padded(int rows) { return (rows + kLane - 1) / kLane * kLane; }
 
 // One block of a term's Jacobian, and where it belongs in a front.
@@ -36,10 +40,13 @@ void AddSquare(const double* W, int rows, std::span<const FrontBlock> blocks, in
 constexpr double kRaised = 1e4;
 int FactorFront(double* E, double* S, int stride, int columns, int pivots, const double* least);
 
-// The steps of the eliminated unknowns from those of the others: d_E = -L⁻ᵀ (y + Bᵀ d_S). `L`: the
-// first `pivots` columns that FactorFront left. Of each of `sides`, y: `pivots` numbers, d: `stride`
-// numbers, of which d_S is given; what follows d is overwritten.
-void BackSubstitute(const double* L, int stride, int columns, int pivots, int sides,
+// Rounds `numbers`, a multiple of kLane, to what is kept.
+void Keep(const double* E, int numbers, Kept* kept);
+
+// The steps of the eliminated unknowns from those of the others: d_E = -L⁻ᵀ (y + Bᵀ d_S). `L`: what
+// is kept of the first `pivots` columns that FactorFront left. Of each of `sides`, y: `pivots`
+// numbers, d: `stride` numbers, of which d_S is given; what follows d is overwritten.
+void BackSubstitute(const Kept* L, int stride, int columns, int pivots, int sides,
                     const double* const* y, double* const* d);
 
 // Extends a covariance from S to E. Given is Σ_SS in the symmetric matrix `S`, whole columns of

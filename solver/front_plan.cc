@@ -1,6 +1,7 @@
 #include "solver/front_plan.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "solver/front_factor.h"
 
@@ -44,9 +45,14 @@ void FrontPlan::Build(const ArmProblem& problem, State& state, const CarriedPrio
     AddTerm(problem, state, *prior.cost, nullptr, prior.unknowns, range.start_knot,
             range.hold_geometry);
   const auto& terms = problem.terms();
-  auto term = std::lower_bound(terms.begin(), terms.end(), range.start_knot,
-                               [](const Term& other, int knot) { return other.first_knot < knot; });
-  for (; term != terms.end() && term->first_knot < range.end_knot; ++term)
+  const auto before = [](const Term& term, int knot) { return term.first_knot < knot; };
+  const auto begin = std::lower_bound(terms.begin(), terms.end(), range.start_knot, before);
+  const auto end = std::lower_bound(begin, terms.end(), range.end_knot, before);
+  terms_.reserve(terms_.size() + U(static_cast<int>(end - begin)));
+  blocks_.reserve(std::accumulate(
+      begin, end, blocks_.size(),
+      [](std::size_t sum, const Term& term) { return sum + term.unknowns.size(); }));
+  for (auto term = begin; term != end; ++term)
     if (term->last_knot <= range.last_knot &&
         !(range.leave_stops && term->kind == ResidualKind::kRangeOfMotion))
       AddTerm(problem, state, *term->cost, term->loss.get(), term->unknowns, term->first_knot,
@@ -81,7 +87,7 @@ void FrontPlan::AddTerm(const ArmProblem& problem, State& state, const TangentCo
     Variable& variable = variables_[U(index)];
     variable.last_front = front;
     const int columns = TangentSize(variable.size);
-    blocks_.push_back({variable.value, index, columns, -1, -1});
+    blocks_.push_back({index, columns, -1, -1});
     tangent += columns;
   }
   terms_.push_back(term);

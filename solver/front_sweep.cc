@@ -16,6 +16,9 @@ constexpr double kSingular = 1e-13;
 // Damping leaves no pivot below this share of what it adds, rounding apart.
 constexpr double kShareOfDamping = 1e-3;
 
+// Fronts that are eliminated again at a time.
+constexpr std::size_t kTogether = 128;
+
 // The diagonal that damping multiplies is kept away from nothing and from infinity.
 double Clamped(double diagonal) { return std::clamp(diagonal, 1e-6, 1e32); }
 
@@ -30,8 +33,9 @@ void FrontSweep::Prepare(const FrontPlan& plan) {
   factors_.Reserve(plan.storage() + kLane);
   diagonal_.resize(columns);
   gradient_.resize(columns);
-  front_.Reserve(widest * widest + kLane);
-  before_.Reserve(widest * widest + kLane);
+  for (LargeBuffer<double>* square : {&last_, &eliminated_, &front_, &before_})
+    square->Reserve(widest * widest + kLane);
+  marks_.Reserve((plan.fronts().size() / kTogether + 1) * widest * widest);
   least_.resize(widest);
   y_.resize(widest);
   d_.resize(widest);
@@ -46,21 +50,58 @@ FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping) {
   Sums sums;
   long double cost = 0.0;  // of very many terms, compared to the last digits
   int stride_before = 0;
-  for (const FrontPlan::Front& front : plan.fronts()) {
+  for (std::size_t i = 0; i < plan.fronts().size(); ++i) {
+    const FrontPlan::Front& front = plan.fronts()[i];
+    if (i % kTogether == 0)
+      std::copy_n(front_.data(), U(stride_before) * U(stride_before), Mark(plan, i));
     TakeOver(plan, front, stride_before);
-    for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) cost += AddTerm(plan, front, term);
+    for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) {
+      cost += AddTerm(plan, front, term);
+      SumDiagonal(plan, term);
+    }
     Eliminate(front);
-    const double* y = Factor(front) + front.columns;
+    NoteLost(front);
+    Keep(eliminated_.data(), front.eliminated * front.Stride(), factors_.data() + front.storage);
+    const double* y = eliminated_.data() + front.columns;
     for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
     stride_before = front.Stride();
   }
+  if (!plan.fronts().empty())
+    std::copy_n(eliminated_.data(), U(plan.fronts().back().eliminated * stride_before),
+                last_.data());
   sums.cost = static_cast<double>(cost);
   for (const double g : gradient_) sums.gradient_norm = std::max(sums.gradient_norm, std::abs(g));
   return sums;
 }
 
+void FrontSweep::VisitBackwards(const FrontPlan& plan, const Visitor& visit) {
+  const auto& fronts = plan.fronts();
+  for (std::size_t end = fronts.size(), begin; end > 0; end = begin) {
+    begin = (end - 1) / kTogether * kTogether;
+    const auto place = [&](std::size_t i) { return fronts[i].storage - fronts[begin].storage; };
+    together_.Reserve(place(end - 1) + U(fronts[end - 1].eliminated * fronts[end - 1].Stride()));
+    int stride_before = begin == 0 ? 0 : fronts[begin - 1].Stride();
+    std::copy_n(Mark(plan, begin), U(stride_before) * U(stride_before), front_.data());
+    for (std::size_t i = begin; i < end; ++i) {
+      TakeOver(plan, fronts[i], stride_before);
+      for (const FrontPlan::PlannedTerm& term : plan.Terms(fronts[i]))
+        AddTerm(plan, fronts[i], term);
+      Eliminate(fronts[i]);
+      stride_before = fronts[i].Stride();
+      std::copy_n(eliminated_.data(), fronts[i].eliminated * stride_before,
+                  together_.data() + place(i));
+    }
+    for (std::size_t i = end; i-- > begin;) visit(fronts[i], together_.data() + place(i));
+  }
+}
+
+// What stands before a front.
+double* FrontSweep::Mark(const FrontPlan& plan, std::size_t front) {
+  return marks_.data() + front / kTogether * U(plan.widest_stride()) * U(plan.widest_stride());
+}
+
 double* FrontSweep::Column(const FrontPlan::Front& front, int column) {
-  double* columns = column < front.eliminated ? factors_.data() + front.storage : front_.data();
+  double* columns = column < front.eliminated ? eliminated_.data() : front_.data();
   return columns + column * front.Stride();
 }
 
@@ -100,14 +141,21 @@ void FrontSweep::TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, 
   take_over(front.eliminated, front.first_staying);
 }
 
-// Adds Jᵀ [J r] of one term; returns its cost.
+// Adds Jᵀ [J r] of one term to the front; returns its cost.
 double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                            const FrontPlan::PlannedTerm& term) {
   const auto blocks = plan.Blocks(term);
-  const double cost = term_.Linearise(*term.cost, term.loss, blocks);
+  const double cost = term_.Linearise(*term.cost, term.loss, blocks, [&](int variable) {
+    return plan.variables()[U(variable)].value;
+  });
   term_.AddTo(
       blocks, [&](int column) { return Column(front, column); }, front.columns, front.Stride());
-  for (const TermBlock& block : blocks) {
+  return cost;
+}
+
+// The same of the term that AddTerm took last to the diagonal and the gradient of all columns.
+void FrontSweep::SumDiagonal(const FrontPlan& plan, const FrontPlan::PlannedTerm& term) {
+  for (const TermBlock& block : plan.Blocks(term)) {
     if (block.place < 0) continue;
     const int at = plan.variables()[U(block.variable)].column;
     for (int k = 0; k < block.tangent; ++k) {
@@ -115,7 +163,6 @@ double FrontSweep::AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
       gradient_[U(at + k)] += term_.Gradient(block, k);
     }
   }
-  return cost;
 }
 
 void FrontSweep::Eliminate(const FrontPlan::Front& front) {
@@ -128,8 +175,12 @@ void FrontSweep::Eliminate(const FrontPlan::Front& front) {
     least_[U(k)] = lost * std::max(diagonal, 1e-9);
   }
   FactorFront(E, front_.data(), stride, front.columns, front.eliminated, least_.data());
+}
+
+void FrontSweep::NoteLost(const FrontPlan::Front& front) {
   for (int k = 0; k < front.eliminated; ++k) {
-    const double root = E[k * stride + k], raised = std::sqrt(kRaised * least_[U(k)]);
+    const double root = eliminated_.data()[k * front.Stride() + k],
+                 raised = std::sqrt(kRaised * least_[U(k)]);
     if (root == raised || root * root < kSingular * diagonal_[U(front.first_column + k)])
       lost_.push_back(front.first_column + k);
   }
@@ -158,7 +209,8 @@ double FrontSweep::Step(const FrontPlan& plan, std::vector<double>& step) {
   double decrease = 0.0;
   for (auto front = plan.fronts().rbegin(); front != plan.fronts().rend(); ++front) {
     GatherKept(plan, *front, step, d_.data());
-    const double *L = Factor(*front), *y_of_front = y_.data();
+    const Kept* L = Factor(*front);
+    const double* y_of_front = y_.data();
     double* d_of_front = d_.data();
     for (int k = 0; k < front->eliminated; ++k) y_[U(k)] = L[k * front->Stride() + front->columns];
     BackSubstitute(L, front->Stride(), front->columns, front->eliminated, 1, &y_of_front,

@@ -2,11 +2,14 @@
 // the way back solve for the step. With H = [H_EE H_ES; H_SE H_SS] and g of a front,
 //   L Lᵀ = H_EE,   B = H_SE L⁻ᵀ,   y = L⁻¹ g_E,   H_SS -= B Bᵀ,   g_S -= B y,
 // and backwards d_E = -L⁻ᵀ (y + Bᵀ d_S). The fronts of one trial have one size, so time and memory
-// are linear in its length; a pass allocates nothing.
+// are linear in its length; a pass allocates nothing. Covariances, whose digits are few where unknowns
+// hold each other tightly, do not go by the factor that is kept: fronts are eliminated again for them, a
+// few at a time from the last to the first, and stand in full precision.
 // Source: the multifrontal Cholesky factorisation, Duff & Reid (1983), on a chain.
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "solver/front_plan.h"
@@ -50,26 +53,39 @@ class FrontSweep {
   void Draw(const FrontPlan& plan, const std::vector<std::vector<double>>& signs,
             std::vector<std::vector<double>>& deviations);
 
-  // The eliminated columns of a front, as FactorFront left them.
-  const double* Factor(const FrontPlan::Front& front) const {
-    return factors_.data() + front.storage;
-  }
+  // The eliminated columns of the last front, as the last pass left them.
+  const double* LastFactor() const { return last_.data(); }
+
+  // Visits the fronts from last to first with their eliminated columns as FactorFront left them.
+  // Values must be those of the last pass.
+  using Visitor = std::function<void(const FrontPlan::Front& front, const double* L)>;
+  void VisitBackwards(const FrontPlan& plan, const Visitor& visit);
 
  private:
+  const Kept* Factor(const FrontPlan::Front& front) const {
+    return factors_.data() + front.storage;
+  }
   double* Column(const FrontPlan::Front& front, int column);
+  double* Mark(const FrontPlan& plan, std::size_t front);
   void Clear(const FrontPlan::Front& front, int begin, int end);
   void CopyRun(const FrontPlan::Front& front, std::span<const FrontPlan::Run> runs,
                const double* before, int stride_before);
   void TakeOver(const FrontPlan& plan, const FrontPlan::Front& front, int stride_before);
   double AddTerm(const FrontPlan& plan, const FrontPlan::Front& front,
                  const FrontPlan::PlannedTerm& term);
+  void SumDiagonal(const FrontPlan& plan, const FrontPlan::PlannedTerm& term);
   void Eliminate(const FrontPlan::Front& front);
+  void NoteLost(const FrontPlan::Front& front);
   void GatherKept(const FrontPlan& plan, const FrontPlan::Front& front,
                   const std::vector<double>& columns, double* kept);
 
   double damping_ = 0.0;
-  LargeBuffer factors_;                      // eliminated columns of all fronts
-  LargeBuffer front_, before_;               // the other columns of this front and of the last
+  LargeBuffer<Kept> factors_;                // eliminated columns of all fronts
+  LargeBuffer<double> last_;                 // those of the last front, unrounded
+  LargeBuffer<double> eliminated_;           // those of this front
+  LargeBuffer<double> front_, before_;       // the other columns of this front and of the last
+  LargeBuffer<double> marks_;                // before every kTogether-th front, those of the last
+  LargeBuffer<double> together_;             // eliminated columns of that many fronts
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> least_, y_, d_;
   std::vector<int> lost_;  // columns whose pivots lost all digits in the last pass, increasing

@@ -40,12 +40,11 @@ void TermSquare::Reserve(int residuals, int blocks, int columns) {
   gradient_.resize(U(blocks * kLane));
 }
 
-double TermSquare::Linearise(const TangentCost& cost, const ceres::LossFunction* loss,
-                             std::span<const TermBlock> blocks) {
+double TermSquare::LineariseAtValues(const TangentCost& cost, const ceres::LossFunction* loss,
+                                     std::span<const TermBlock> blocks) {
   residuals_ = cost.num_residuals();
   double* jacobian = blocks_.data();
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    values_[i] = blocks[i].value;
     jacobians_[i] = jacobian;
     jacobian += residuals_ * blocks[i].tangent;
   }

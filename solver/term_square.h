@@ -13,7 +13,6 @@ namespace brachium {
 
 // One block of a term, in the cost's order.
 struct TermBlock {
-  const double* value;
   int variable;  // of a plan (front_plan.h)
   int tangent;   // columns of its Jacobian
   int place;     // among the term's unknowns in the front's order; -1 for a block that is none
@@ -25,9 +24,14 @@ class TermSquare {
   // Sets memory up for the largest term to come: its residuals, its blocks, their columns.
   void Reserve(int residuals, int blocks, int columns);
 
-  // J and r at the blocks' values, scaled by √ρ' where there is a loss; returns ½ ρ(|r|²).
+  // J and r at the blocks' values, scaled by √ρ' where there is a loss; returns ½ ρ(|r|²). `value`: from
+  // a variable's number to where its value stands.
+  template <typename Value>
   double Linearise(const TangentCost& cost, const ceres::LossFunction* loss,
-                   std::span<const TermBlock> blocks);
+                   std::span<const TermBlock> blocks, Value value) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) values_[i] = value(blocks[i].variable);
+    return LineariseAtValues(cost, loss, blocks);
+  }
 
   // Adds [J r]ᵀ [J r] to a front of that stride; `column`: from a column's number to where it stands.
   template <typename Column>
@@ -48,6 +52,8 @@ class TermSquare {
   double Gradient(const TermBlock& block, int k) const { return gradient_[At(block, k)]; }
 
  private:
+  double LineariseAtValues(const TangentCost& cost, const ceres::LossFunction* loss,
+                           std::span<const TermBlock> blocks);
   static std::size_t At(const TermBlock& block, int k) {
     return static_cast<std::size_t>(block.place * kLane + k);
   }

@@ -31,6 +31,7 @@ struct Front {
   VectorXd g;
   std::vector<double> memory;
   std::vector<double> least;
+  std::vector<Kept> kept;
 
   Front(int columns_, int pivots_)
       : columns(columns_),
@@ -54,8 +55,16 @@ struct Front {
     std::fill(memory.begin(), end, std::nan(""));
     const int raised = FactorFront(E.data(), memory.data(), stride, columns, pivots, least.data());
     std::copy(E.begin(), E.end(), memory.begin());
+    kept.resize(E.size());
+    Keep(E.data(), pivots * stride, kept.data());
     return raised;
   }
+  // [L; B; yᵀ] as it is kept.
+  MatrixXd KeptView() const {
+    return Eigen::Map<const Eigen::MatrixX<Kept>>(kept.data(), stride, pivots).cast<double>();
+  }
+  MatrixXd KeptL() const { return KeptView().topRows(pivots).triangularView<Eigen::Lower>(); }
+  MatrixXd KeptB() const { return KeptView().middleRows(pivots, columns - pivots); }
 };
 
 struct Size {
@@ -79,11 +88,22 @@ TEST_P(FrontFactor, IsThatOfTheDenseCholeskyFactorisation) {
   }
 }
 
+TEST_P(FrontFactor, IsKeptRoundedToSinglePrecision) {
+  Front front(GetParam().columns, GetParam().pivots);
+  front.Factor();
+  const MatrixXd kept = front.KeptView();
+  for (int k = 0; k < front.pivots; ++k)
+    for (int i = k; i <= front.columns; ++i)
+      EXPECT_EQ(kept(i, k), static_cast<float>(front.View()(i, k))) << i << " " << k;
+}
+
 TEST_P(FrontFactor, GivesTheStepsOfTheDenseSolution) {
   Front front(GetParam().columns, GetParam().pivots);
   front.Factor();
-  const VectorXd expected = -front.H.llt().solve(front.g);
   const VectorXd y = front.View().row(front.columns).head(front.pivots);
+  VectorXd expected = Random(front.columns, 1, 3);
+  expected.head(front.pivots) = -front.KeptL().transpose().triangularView<Eigen::Upper>().solve(
+      y + front.KeptB().transpose() * expected.tail(front.columns - front.pivots));
   constexpr int kSides = 7;  // multiples of one another: two threes and one more
   MatrixXd ys(y.size(), kSides), ds = MatrixXd::Constant(front.stride, kSides, std::nan(""));
   std::vector<const double*> y_of;
@@ -94,8 +114,8 @@ TEST_P(FrontFactor, GivesTheStepsOfTheDenseSolution) {
     y_of.push_back(ys.col(side).data());
     d_of.push_back(ds.col(side).data());
   }
-  BackSubstitute(front.memory.data(), front.stride, front.columns, front.pivots, kSides,
-                 y_of.data(), d_of.data());
+  BackSubstitute(front.kept.data(), front.stride, front.columns, front.pivots, kSides, y_of.data(),
+                 d_of.data());
   for (int side = 0; side < kSides; ++side)
     for (int i = 0; i < front.columns; ++i)
       EXPECT_NEAR(ds(i, side), side * expected[i], 1e-9) << i << " " << side;

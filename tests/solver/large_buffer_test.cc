@@ -6,7 +6,7 @@ namespace brachium {
 namespace {
 
 TEST(LargeBuffer, HasRoomAndStaysWhereItIsWhileThatIsEnough) {
-  LargeBuffer buffer;
+  LargeBuffer<double> buffer;
   buffer.Reserve(1000);
   double* const numbers = buffer.data();
   for (int i = 0; i < 1000; ++i) numbers[i] = i;
