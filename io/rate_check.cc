@@ -69,29 +69,30 @@ double ErrorOver(const Recording& recording, const Window& window, double scale)
   return std::atan2(early.cross(late).norm(), early.dot(late));
 }
 
-double MeanError(const Recording& recording, const std::vector<Window>& windows, double scale) {
+// At least `most` where it is not less.
+double MeanError(const Recording& recording, const std::vector<Window>& windows, double scale,
+                 double most) {
+  const auto count = static_cast<double>(windows.size());
   double sum = 0.0;
-  for (const Window& window : windows) sum += ErrorOver(recording, window, scale);
-  return sum / static_cast<double>(windows.size());
+  for (auto window = windows.begin(); window != windows.end() && sum < most * count; ++window)
+    sum += ErrorOver(recording, *window, scale);
+  return sum / count;
 }
 
-struct BestScale {
-  double told = 0.0, error = 0.0;  // mean errors [rad]: as told, and at
-  double scale = 1.0;
-};
-
-BestScale BestScaleOver(const Recording& recording, const std::vector<Window>& windows) {
-  BestScale best{.told = MeanError(recording, windows, 1.0)};
-  best.error = best.told;
-  if (best.told < kLeast) return best;
+// The scale at which the mean error is least; 1 where none brings it below `share` of what it is as
+// told.
+double BestScaleOver(const Recording& recording, const std::vector<Window>& windows, double share) {
+  const double told = MeanError(recording, windows, 1.0, HUGE_VAL);
+  double best = 1.0, least = share * told;
+  if (told < kLeast) return best;
   const auto scan = [&](double from, double to, double factor) {
     for (double scale = from; scale < to; scale *= factor) {
-      const double error = MeanError(recording, windows, scale);
-      if (error < best.error) std::tie(best.error, best.scale) = std::tie(error, scale);
+      const double error = MeanError(recording, windows, scale, least);
+      if (error < least) std::tie(least, best) = std::tie(error, scale);
     }
   };
   scan(0.2, 5.0, 1.1);
-  scan(best.scale / 1.1, best.scale * 1.1, 1.02);
+  scan(best / 1.1, best * 1.1, 1.02);
   return best;
 }
 
@@ -100,16 +101,15 @@ BestScale BestScaleOver(const Recording& recording, const std::vector<Window>& w
 void CheckRate(const Recording& recording, const std::string& name, Findings* findings) {
   const std::vector<Window> windows = WindowsOf(recording, kShortWindow);
   if (windows.size() < kFewest) return;
-  const BestScale best = BestScaleOver(recording, windows);
-  if (best.error > kMuchBetter * best.told || std::abs(best.scale - 1.0) < kTolerance) return;
+  const double best = BestScaleOver(recording, windows, kMuchBetter);
+  if (std::abs(best - 1.0) < kTolerance) return;
   const std::vector<Window> longer = WindowsOf(recording, kLongWindow);
   if (longer.size() < kFewest) return;
-  const double scale = BestScaleOver(recording, longer).scale;
-  if (std::abs(scale / best.scale - 1.0) > kAgreement) return;
+  const double scale = BestScaleOver(recording, longer, 1.0);
+  if (std::abs(scale / best - 1.0) > kAgreement) return;
   findings->warnings.push_back(name + ": the sampling rate looks wrong (gravity turns " +
-                               Fixed(best.scale, 2) +
-                               " times as far as gyr says); expected about " +
-                               Fixed(1.0 / (best.scale * SamplingPeriod(recording)), 1) +
+                               Fixed(best, 2) + " times as far as gyr says); expected about " +
+                               Fixed(1.0 / (best * SamplingPeriod(recording)), 1) +
                                " Hz: check time_s, or the scale of gyr [rate]");
 }
 
