@@ -1,6 +1,7 @@
 #include "solver/batch_smoother.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "solver/clocks.h"
 #include "solver/covariance.h"
@@ -44,8 +45,7 @@ class WholeTrial {
              const Progress& progress)
       : options_(options),
         progress_(progress),
-        prepared_(Prepared(observations, options)),
-        problem_(prepared_, options.model, options.knot_spacing_s,
+        problem_(Prepared(observations, options), options.model, options.knot_spacing_s,
                  observations.recordings.front().segment),
         state_(problem_.PriorState()) {
     estimate_.method = "smoother";
@@ -57,16 +57,11 @@ class WholeTrial {
   Estimate Run() {
     const WindowReport windows = SolveWindows();
     Ends("windows");
-    ChainWorkspace workspace(problem_);
-    EstimateWeights(workspace);
-    const bool on_skin = WeighsResiduals() && problem_.HasElbow() && OnSkin(problem_);
-    if (on_skin) problem_.HoldMountings(state_);
-    Converge(workspace);
-    Ends("whole trial");
+    SolveWhole();
     FillTrajectory(problem_, state_, estimate_);
+    if (poses_) FillStandardDeviations(problem_, *poses_, estimate_);
     Ends("trajectory");
-    const Certainty certainty = Assess(workspace);
-    Tell(certainty, on_skin, windows, workspace.plan.columns());
+    Tell(windows);
     Ends("results");
     return std::move(estimate_);
   }
@@ -91,6 +86,18 @@ class WholeTrial {
     return report;
   }
 
+  // Its workspace is most of the memory that a trial takes.
+  void SolveWhole() {
+    ChainWorkspace workspace(problem_);
+    EstimateWeights(workspace);
+    on_skin_ = WeighsResiduals() && problem_.HasElbow() && OnSkin(problem_);
+    if (on_skin_) problem_.HoldMountings(state_);
+    Converge(workspace);
+    columns_ = workspace.plan.columns();
+    Ends("whole trial");
+    Assess(workspace);
+  }
+
   void EstimateWeights(ChainWorkspace& workspace) {
     int sums = kMostSums;
     bool followed = false;
@@ -103,7 +110,7 @@ class WholeTrial {
             workspace);
       followed = sums-- > 0 && FollowsClocks(workspace);
       UnmodelledSums left(problem_);
-      left.Add(problem_, state_, 0, problem_.size().knots, workspace);
+      left.Add(problem_, 0, problem_.size().knots, workspace);
       problem_.SetUnmodelled(left.Estimate());
     }
   }
@@ -145,34 +152,33 @@ class WholeTrial {
 
   // The last step was small, but what hardly anything holds is held less where it led to: standard
   // deviations need a pass of their own.
-  Certainty Assess(ChainWorkspace& workspace) {
-    Certainty certainty;
+  void Assess(ChainWorkspace& workspace) {
     if (!options_.covariance) {
-      certainty.singular = workspace.sweep.Undetermined(workspace.plan);
-      return certainty;
+      certainty_.singular = workspace.sweep.Undetermined(workspace.plan);
+      return;
     }
     workspace.Linearise(problem_, state_);
-    PoseCovariance poses(problem_, state_);
-    certainty = AssessCertainty(problem_, state_, workspace, &poses);
-    FillStandardDeviations(problem_, poses, estimate_);
-    estimate_.diagnostics.headings = DescribeHeadings(problem_, state_, poses);
-    estimate_.diagnostics.held_by_prior = HeldByPrior(problem_, certainty);
+    poses_.emplace(problem_, state_);
+    certainty_ = AssessCertainty(problem_, state_, workspace, &*poses_);
     Ends("covariance");
-    return certainty;
   }
 
-  void Tell(const Certainty& certainty, bool on_skin, const WindowReport& windows, int unknowns) {
+  void Tell(const WindowReport& windows) {
     Diagnostics& diagnostics = estimate_.diagnostics;
-    diagnostics.singular = !certainty.singular.empty();
+    diagnostics.singular = !certainty_.singular.empty();
     diagnostics.residuals = DescribeResiduals(problem_, state_);
-    diagnostics.constants = DescribeConstants(problem_, state_, certainty);
+    diagnostics.constants = DescribeConstants(problem_, state_, certainty_);
     diagnostics.notes = FarFromTold(problem_, state_);
-    if (on_skin)
+    if (on_skin_)
       diagnostics.notes.push_back(
           "Sensors move on their segments: mountings are taken as they were told");
-    for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
-      diagnostics.notes.push_back(note);
-    const double residual_scale = ResidualScale(diagnostics.residuals, unknowns);
+    if (poses_) {
+      diagnostics.held_by_prior = HeldByPrior(problem_, certainty_);
+      diagnostics.headings = DescribeHeadings(problem_, state_, *poses_);
+      for (const std::string& note : HeadingsNotHeld(diagnostics.headings))
+        diagnostics.notes.push_back(note);
+    }
+    const double residual_scale = ResidualScale(diagnostics.residuals, columns_);
     if (options_.scale_sd_by_residuals) ScaleStandardDeviations(residual_scale, estimate_);
     diagnostics.rests = DescribeRests(problem_);
     diagnostics.figures = {{"knots", static_cast<double>(problem_.size().knots)},
@@ -186,9 +192,12 @@ class WholeTrial {
   const Progress& progress_;
   StageClock watch_;
   Estimate estimate_;
-  const Observations prepared_;
   ArmProblem problem_;
   State state_;
+  bool on_skin_ = false;
+  int columns_ = 0;  // of all unknowns
+  Certainty certainty_;
+  std::optional<PoseCovariance> poses_;
 };
 
 Estimate SmoothedInStretches(const Observations& observations, const SmootherOptions& options,

@@ -242,7 +242,7 @@ void StretchSmoother::SolveWindows(Part& part, UnmodelledSums& left) {
     const bool ends = part.is_last && windows.end() == part.stop;
     const int next = ends ? windows.end() + 1 : windows.NextStart(part.stop);
     if (options_.weight_iterations > 0)
-      left.Add(part.problem, part.state, windows.start(), next, windows.workspace());
+      left.Add(part.problem, windows.start(), next, windows.workspace());
     part.residuals.Add(part.problem, part.state, windows.start(), next);
     if (ends) break;
     windows.Advance(part.stop);

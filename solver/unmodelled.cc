@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -18,8 +19,9 @@ constexpr double kPriorResiduals = 30.0;
 constexpr double kLeastAcceleration = 1e-3;  // [m/s²]
 constexpr double kLeastQuiver = 1e-4;        // [m]
 
-// Draws and knots together give the trace to one or two percent.
-constexpr int kDrawnKnots = 15000;
+// Draws and knots together give the trace to two percent: the residuals of a minute tell their own
+// variance no better.
+constexpr int kDrawnKnots = 6000;
 
 constexpr std::size_t kMostColumns = 3;  // of a block's Jacobian
 
@@ -32,8 +34,13 @@ using Vectors = std::vector<std::vector<double>>;
 // Deviations of all columns of a plan with the covariance of its last pass.
 Vectors Draw(int draws, std::mt19937_64& random, ChainWorkspace& workspace) {
   Vectors signs(U(draws), std::vector<double>(U(workspace.plan.columns()))), deviations;
+  std::uint64_t bits = 0;
+  int left = 0;
   for (std::vector<double>& row : signs)
-    for (double& sign : row) sign = random() & 1 ? 1.0 : -1.0;
+    for (double& sign : row) {
+      if (left == 0) bits = random(), left = std::mt19937_64::word_size;
+      sign = bits >> --left & 1 ? 1.0 : -1.0;
+    }
   workspace.sweep.Draw(workspace.plan, signs, deviations);
   return deviations;
 }
@@ -41,14 +48,14 @@ Vectors Draw(int draws, std::mt19937_64& random, ChainWorkspace& workspace) {
 // Takes terms one by one: r, J, and how far r moves with deviations of the unknowns.
 class Residuals {
  public:
-  Residuals(const ArmProblem& problem, State& state, const FrontPlan& plan, Vectors deviations)
-      : problem_(problem), state_(state), plan_(plan), deviations_(std::move(deviations)) {}
+  Residuals(const FrontPlan& plan, Vectors deviations)
+      : plan_(plan), deviations_(std::move(deviations)) {}
 
   void Add(const Term& term, double& squares, double& redundancy) {
     Linearise(term);
     squares += SquaredNorm(r_);
     double moved = 0.0;
-    for (const std::vector<double>& deviation : deviations_) moved += MovedSquared(term, deviation);
+    for (const std::vector<double>& deviation : deviations_) moved += MovedSquared(deviation);
     redundancy += static_cast<double>(r_.size()) - moved / static_cast<double>(deviations_.size());
   }
 
@@ -58,33 +65,37 @@ class Residuals {
     const std::size_t blocks = term.unknowns.size();
     r_.resize(rows);
     values_.resize(blocks);
+    variables_.resize(blocks);
     pointers_.resize(blocks);
     jacobians_.resize(rows * kMostColumns * blocks);
     for (std::size_t i = 0; i < blocks; ++i) {
-      values_[i] = problem_.Value(state_, term.unknowns[i]);
+      variables_[i] = &plan_.variables()[U(plan_.IndexOf(term.unknowns[i]))];
+      values_[i] = variables_[i]->value;
       pointers_[i] = &jacobians_[rows * kMostColumns * i];
     }
     term.cost->EvaluateTangent(values_.data(), r_.data(), pointers_.data());
   }
 
   // |J ξ|².
-  double MovedSquared(const Term& term, const std::vector<double>& deviation) {
+  double MovedSquared(const std::vector<double>& deviation) {
     moved_.assign(r_.size(), 0.0);
-    for (std::size_t i = 0; i < term.unknowns.size(); ++i) {
-      const auto& variable = plan_.variables()[U(plan_.IndexOf(term.unknowns[i]))];
-      const double *J = pointers_[i], *d = &deviation[U(variable.column)];
-      if (variable.tangent == 0) continue;
-      for (double& moved : moved_)
-        for (int column = 0; column < variable.tangent; ++column) moved += *J++ * d[column];
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      const int columns = variables_[i]->tangent;
+      if (columns == 0) continue;
+      const double *J = pointers_[i], *d = &deviation[U(variables_[i]->column)];
+      if (columns == 3)
+        for (double& moved : moved_) moved += J[0] * d[0] + J[1] * d[1] + J[2] * d[2], J += 3;
+      else
+        for (double& moved : moved_)
+          for (int column = 0; column < columns; ++column) moved += *J++ * d[column];
     }
     return SquaredNorm(moved_);
   }
 
-  const ArmProblem& problem_;
-  State& state_;
   const FrontPlan& plan_;
   Vectors deviations_;
   std::vector<const double*> values_;
+  std::vector<const FrontPlan::Variable*> variables_;
   std::vector<double*> pointers_;
   std::vector<double> jacobians_, r_, moved_;
 };
@@ -116,9 +127,9 @@ UnmodelledSums::UnmodelledSums(const ArmProblem& problem)
   }
 }
 
-void UnmodelledSums::Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
+void UnmodelledSums::Add(const ArmProblem& problem, int start_knot, int end_knot,
                          ChainWorkspace& workspace) {
-  Residuals residuals(problem, state, workspace.plan, Draw(draws_, random_, workspace));
+  Residuals residuals(workspace.plan, Draw(draws_, random_, workspace));
   const auto& terms = problem.terms();
   auto term = std::lower_bound(terms.begin(), terms.end(), start_knot,
                                [](const Term& other, int knot) { return other.first_knot < knot; });

@@ -21,11 +21,10 @@ class UnmodelledSums {
   // The first guess is what `problem` goes by.
   explicit UnmodelledSums(const ArmProblem& problem);
 
-  // Takes the terms whose first knot lies in [start_knot, end_knot) at `state`, at which `workspace`
-  // made its last pass over them. The problem may be another one, with other guesses, of the same
-  // sensors.
-  void Add(const ArmProblem& problem, State& state, int start_knot, int end_knot,
-           ChainWorkspace& workspace);
+  // Takes the terms whose first knot lies in [start_knot, end_knot) at the values to which the plan of
+  // `workspace` points, whose last pass was over them. The problem may be another one, with other
+  // guesses, of the same sensors.
+  void Add(const ArmProblem& problem, int start_knot, int end_knot, ChainWorkspace& workspace);
 
   // Of each sensor, by all terms that were taken.
   std::vector<Unmodelled> Estimate() const;

@@ -132,8 +132,7 @@ void ForwardWindows::Solve() {
   report_.iterations += summary.iterations;
   report_.unconverged += summary.converged ? 0 : 1;
   if (options_.only_a_start && options_.unmodelled != nullptr)
-    options_.unmodelled->Add(problem_, state_, start_, solve_.hand_on ? end_ : end_ + 1,
-                             workspace_);
+    options_.unmodelled->Add(problem_, start_, solve_.hand_on ? end_ : end_ + 1, workspace_);
   ++report_.windows;
 }
 

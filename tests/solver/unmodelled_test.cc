@@ -27,7 +27,7 @@ struct Solved {
   std::vector<Unmodelled> Estimated() {
     workspace.Linearise(problem, state);
     UnmodelledSums sums(problem);
-    sums.Add(problem, state, 0, problem.size().knots, workspace);
+    sums.Add(problem, 0, problem.size().knots, workspace);
     return sums.Estimate();
   }
 
