@@ -8,6 +8,7 @@
 #include "io/contact_check.h"
 #include "io/elbow_check.h"
 #include "io/elbow_sensors.h"
+#include "io/side_check.h"
 #include "io/slip_check.h"
 #include "io/text.h"
 #include "problems/statistics.h"
@@ -110,33 +111,6 @@ void CheckOrientation(const Recording& recording, Findings* findings) {
   findings->warnings.push_back(std::string(Name(recording.segment)) +
                                ": the maker's orientation turns gravity to " + Fixed(told, 2) +
                                " of upright; it " + what);
-}
-
-// Beside a hanging upper arm, up in forearm axes is (sin a cos c, cos a, sin a sin c) for flexion a
-// and, on the right, pronation c, which lies between 0 and pi; on the left it is -c.
-void CheckSide(const Observations& observations, Findings* findings) {
-  constexpr double kHanging = 0.9, kBent = 0.5, kClear = 0.4, kLeast = 1.5;  // cos, sin, sin c, s
-  const Recording* const upper = FindMounted(observations, Segment::kUpperArm);
-  const Recording* const fore = FindMounted(observations, Segment::kForearm);
-  if (upper == nullptr || fore == nullptr || !observations.arm.elbow.adduction_constraint) return;
-  std::vector<double> sines;
-  for (std::size_t i = 0, j = 0; i < fore->size(); ++i) {
-    while (j + 1 < upper->size() && upper->time[j] < fore->time[i]) ++j;
-    if (!ShowsOnlyGravity(fore->acc_S[i]) || !ShowsOnlyGravity(upper->acc_S[j])) continue;
-    const Eigen::Vector3d up_U = upper->mounting->q_BS * upper->acc_S[j].normalized();
-    const Eigen::Vector3d up_F = fore->mounting->q_BS * fore->acc_S[i].normalized();
-    const double bent = std::hypot(up_F.x(), up_F.z());
-    if (up_U.y() > kHanging && bent > kBent) sines.push_back(up_F.z() / bent);
-  }
-  if (static_cast<double>(sines.size()) * SamplingPeriod(*fore) < kLeast) return;
-  const auto middle = sines.begin() + std::ssize(sines) / 2;
-  std::ranges::nth_element(sines, middle);
-  if (Sign(observations.arm.side) * *middle > -kClear) return;
-  findings->warnings.push_back("beside a hanging upper arm the forearm is turned as no " +
-                               std::string(Name(observations.arm.side)) +
-                               " forearm can be (sine of pronation " +
-                               Fixed(Sign(observations.arm.side) * *middle, 2) +
-                               "); check arm.side and the mountings [side]");
 }
 
 // Where a told pose has the arm hang, up must be upward along upper arm and forearm.
