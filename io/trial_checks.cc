@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "io/contact_check.h"
@@ -95,19 +97,19 @@ void CheckOrientation(const Recording& recording, Findings* findings) {
   if (told > kUpright) return;
   const auto w_last = [](const Quaterniond& q) { return Quaterniond(q.z(), q.w(), q.x(), q.y()); };
   const auto inverse = [](const Quaterniond& q) { return q.conjugate(); };
-  std::string what =
-      "fits no known convention; expected sensor to world, w first, z up "
-      "[orientation]";
-  if (told < -kUpright)
-    what =
-        "has z downward, as in north-east-down; expected z up (or acc is turned round) "
-        "[orientation_ned]";
-  else if (Uprightness(recording, w_last) > kUpright)
-    what = "has w last; expected w first: reorder the columns [orientation_w_last]";
-  else if (Uprightness(recording, inverse) > kUpright)
-    what =
-        "is inverted, world to sensor; expected sensor to world: negate q_x, q_y, q_z "
-        "[orientation_inverted]";
+  const std::pair<double, std::string> readings[] = {
+      {kUpright, "fits no known convention; expected sensor to world, w first, z up [orientation]"},
+      {-told,
+       "has z downward, as in north-east-down; expected z up (or acc is turned round) "
+       "[orientation_ned]"},
+      {Uprightness(recording, w_last),
+       "has w last; expected w first: reorder the columns [orientation_w_last]"},
+      {Uprightness(recording, inverse),
+       "is inverted, world to sensor; expected sensor to world: negate q_x, q_y, q_z "
+       "[orientation_inverted]"}};
+  const auto& what = std::ranges::max_element(readings, {}, [](const auto& reading) {
+                       return reading.first;
+                     })->second;
   findings->warnings.push_back(std::string(Name(recording.segment)) +
                                ": the maker's orientation turns gravity to " + Fixed(told, 2) +
                                " of upright; it " + what);

@@ -79,6 +79,20 @@ inline void Freeze(Recording& recording, std::size_t from, std::size_t to) {
   }
 }
 
+// Calls six seconds a rest, the first from 12 s on in which the forearm turns by 60 deg at least.
+inline void CallMovementRest(Trial& trial) {
+  const Recording& recording = Fore(trial);
+  for (double start = 12.0; start + 6.0 < recording.time.back(); start += 1.0) {
+    double turned = 0.0;
+    for (std::size_t i = 1; i < recording.size(); ++i)
+      if (recording.time[i] >= start && recording.time[i] < start + 6.0)
+        turned += (recording.time[i] - recording.time[i - 1]) * recording.gyr_S[i].norm();
+    if (turned < 60 * kDegree) continue;
+    trial.observations.intervals.push_back({"rest", start, start + 6.0});
+    return;
+  }
+}
+
 // A mistake and the names under which it may be reported.
 struct Mistake {
   std::string what;
@@ -127,10 +141,7 @@ inline const std::vector<Mistake>& Mistakes() {
        }},
       {"clock 0.4 s late", "clock", [](Trial& t) { Delay(Fore(t), 0.4); }},
       {"clock 1.5 s early", "clock", [](Trial& t) { Delay(Fore(t), -1.5); }},
-      {"movement called rest", "moving_rest",
-       [](Trial& t) {
-         t.observations.intervals.push_back({"rest", 12.0, 18.0});
-       }},
+      {"movement called rest", "moving_rest", CallMovementRest},
       {"a range of 250 deg/s", "clipping", [](Trial& t) { Clip(Fore(t)); }},
       {"dropped out", "frozen", [](Trial& t) { Freeze(Fore(t), 1000, 1060); }},
       {"slipped", "slip", [](Trial& t) { Slip(Fore(t), 25 * kDegree, 0.02); }},
