@@ -39,6 +39,10 @@ Eigen::Matrix3d ElbowSensor::Lever(std::size_t k) const {
   return Skew<double>((gyr_S[k + 1] - gyr_S[k - 1]) / (2.0 * kElbowStep)) + turning * turning;
 }
 
+bool ShowsOnlyGravity(const Eigen::Vector3d& f_S) {
+  return std::abs(f_S.norm() - kGravity) < 0.05 * kGravity;
+}
+
 const Recording* FindMounted(const Observations& observations, Segment segment) {
   for (const Recording& recording : observations.recordings)
     if (recording.segment == segment && recording.mounting) return &recording;

@@ -30,6 +30,9 @@ struct ElbowSensors {
   std::size_t size() const { return upper.gyr_S.size(); }
 };
 
+// Whether a specific force is as long as gravity, to 5 %.
+bool ShowsOnlyGravity(const Eigen::Vector3d& f_S);
+
 // The recording of a segment whose mounting is known, or nullptr.
 const Recording* FindMounted(const Observations& observations, Segment segment);
 

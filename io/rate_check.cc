@@ -79,11 +79,10 @@ double MeanError(const Recording& recording, const std::vector<Window>& windows,
   return sum / count;
 }
 
-// The scale at which the mean error is least; 1 where none brings it below `share` of what it is as
-// told.
+// The scale at which the mean error is least; 1 where that is more than `share` of what it is as told.
 double BestScaleOver(const Recording& recording, const std::vector<Window>& windows, double share) {
   const double told = MeanError(recording, windows, 1.0, HUGE_VAL);
-  double best = 1.0, least = share * told;
+  double best = 1.0, least = told;
   if (told < kLeast) return best;
   const auto scan = [&](double from, double to, double factor) {
     for (double scale = from; scale < to; scale *= factor) {
@@ -93,7 +92,7 @@ double BestScaleOver(const Recording& recording, const std::vector<Window>& wind
   };
   scan(0.2, 5.0, 1.1);
   scan(best / 1.1, best * 1.1, 1.02);
-  return best;
+  return least <= share * told ? best : 1.0;
 }
 
 }  // namespace

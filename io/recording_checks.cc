@@ -30,7 +30,7 @@ double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-bool ShowsOnlyGravity(const Eigen::Vector3d& f_S) {
+bool ShowsNearlyGravity(const Eigen::Vector3d& f_S) {
   return std::abs(f_S.norm() - kGravity) < 0.1 * kGravity;
 }
 
@@ -104,7 +104,7 @@ double GravityMismatch(const Recording& recording, double gyro_scale) {
   const std::size_t stride = std::max<std::size_t>(1, recording.size() / kWindows);
   std::vector<double> angles;
   for (std::size_t first = 0; first < recording.size(); first += stride) {
-    if (!ShowsOnlyGravity(recording.acc_S[first])) continue;
+    if (!ShowsNearlyGravity(recording.acc_S[first])) continue;
     Eigen::Quaterniond q_first = Eigen::Quaterniond::Identity();  // first sample from this one
     std::size_t i = first;
     while (i + 1 < recording.size() && recording.time[i] - recording.time[first] < kLength) {
@@ -113,7 +113,7 @@ double GravityMismatch(const Recording& recording, double gyro_scale) {
       q_first = q_first * Exp<double>(gyro_scale * step * omega_S);
       ++i;
     }
-    if (i > first && ShowsOnlyGravity(recording.acc_S[i]))
+    if (i > first && ShowsNearlyGravity(recording.acc_S[i]))
       angles.push_back(AngleBetween(q_first * recording.acc_S[i], recording.acc_S[first]));
   }
   return angles.empty() ? 0.0 : Quantile(std::move(angles), 0.5);

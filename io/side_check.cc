@@ -1,9 +1,10 @@
 #include "io/side_check.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/elbow_sensors.h"
@@ -15,17 +16,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kOnlyGravity = 0.05;  // of gravity, that the force's length departs from it
 constexpr double kLeastFlexion = -10 * kDegree, kMostFlexion = 160 * kDegree;
 constexpr double kUpright =
     0.5;                       // of gravity in the plane in which the elbow bends, to tell how far
 constexpr double kBent = 0.5;  // of gravity across the forearm, to tell its pronation
 constexpr double kLeastTime = 1.5;  // [s]
 constexpr double kClear = 0.4;      // median sine of pronation; sound trials: 0.6 and more
-
-bool ShowsOnlyGravity(const Vector3d& f_S) {
-  return std::abs(f_S.norm() - kGravity) < kOnlyGravity * kGravity;
-}
 
 // The one flexion at which gravity stands as far along the forearm as it does; none where there is
 // another, or none that an elbow reaches.
@@ -34,7 +30,8 @@ std::optional<double> Flexion(const Vector3d& up_U, const Vector3d& up_F) {
   if (length < kUpright || std::abs(up_F.y()) > length) return std::nullopt;
   const double tilt = std::atan2(up_U.x(), up_U.y()), bend = std::acos(up_F.y() / length);
   const auto is_reached = [](double a) { return a > kLeastFlexion && a < kMostFlexion; };
-  const double flexed = bend - tilt, extended = -bend - tilt;
+  const double flexed = std::remainder(bend - tilt, 2 * std::numbers::pi),
+               extended = std::remainder(-bend - tilt, 2 * std::numbers::pi);
   if (is_reached(flexed) == is_reached(extended)) return std::nullopt;
   return is_reached(flexed) ? flexed : extended;
 }

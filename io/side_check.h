@@ -10,8 +10,9 @@ namespace brachium {
 // those of the other, and a bent elbow shows how far the forearm is pronated: with flexion a and, on
 // the right, pronation c, f = R_y(-c) R_z(-a) u. On the left c is the other way round, so that a
 // forearm which can only be between palm up and palm down tells the two arms apart. Warns where it is
-// turned as no forearm of the told side can be. Silent where a mounting is missing, and where the
-// elbow is hardly ever bent while both segments go slowly.
+// turned as no forearm of the told side can be. Silent where a mounting is missing, and where both
+// segments hardly ever feel gravity alone with the elbow bent: instants at which two flexions fit, or
+// at which the elbow bends about the vertical, do not count.
 void CheckSide(const Observations& observations, Findings* findings);
 
 }  // namespace brachium

@@ -73,10 +73,6 @@ void CheckGravity(const Recording& recording, double gravity, Findings* findings
                                " m/s^2: check its unit and its calibration [gravity]");
 }
 
-bool ShowsOnlyGravity(const Eigen::Vector3d& f_S) {
-  return std::abs(f_S.norm() - kGravity) < 0.05 * kGravity;
-}
-
 // The mean upward share of gravity, 1 where every orientation is right.
 template <typename Reading>
 double Uprightness(const Recording& recording, Reading reading) {

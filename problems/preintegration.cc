@@ -125,10 +125,10 @@ Vector3d Preintegrator::Smooth(const std::vector<Vector3d>& values, std::size_t 
   const std::size_t m = std::min({reach, i - 1, last - i});
   const auto n = static_cast<double>(m);
   const double total = (2 * n - 1) * (2 * n + 1) * (2 * n + 3), top = 3 * (3 * n * n + 3 * n - 1);
-  Vector3d sum = top / total * values[i];
+  Vector3d sum = top * values[i];
   for (std::size_t j = 1; j <= m; ++j)
-    sum += (top - 15 * static_cast<double>(j * j)) / total * (values[i - j] + values[i + j]);
-  return sum;
+    sum += (top - 15 * static_cast<double>(j * j)) * (values[i - j] + values[i + j]);
+  return sum / total;
 }
 
 std::size_t Preintegrator::CellAt(double time) const {

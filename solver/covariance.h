@@ -19,8 +19,9 @@ struct Certainty {
   std::vector<int> singular;  // unknowns that the information does not determine
 };
 
-// By the last pass of `workspace`, which was over the whole trial at `state`. Cost and
-// memory are linear in its length. `poses`, unless null, is filled with what it collects.
+// By the last pass of `workspace`, which was over the whole trial at `state` as it stands, with the
+// terms that stand. Cost and memory are linear in its length. `poses`, unless null, is filled with
+// what it collects.
 Certainty AssessCertainty(const ArmProblem& problem, const State& state, ChainWorkspace& workspace,
                           PoseCovariance* poses = nullptr);
 

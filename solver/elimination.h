@@ -50,8 +50,8 @@ class Elimination {
   // A pivot block was not positive definite: the information does not determine its unknowns.
   std::vector<int> singular() const { return sweep_.Undetermined(plan_); }
 
-  // Visits the fronts from last to first with the joint covariance of their unknowns. Their values
-  // must be those of the last pass.
+  // Visits the fronts from last to first with the joint covariance of their unknowns. Values, terms
+  // and prior must be those of the last pass: a search may have stepped on since.
   using Visitor =
       std::function<void(int knot, const BlockIndex& index, const CovarianceView& covariance)>;
   void VisitCovariances(const Visitor& visit) const;

@@ -48,7 +48,7 @@ void FrontPlan::Build(const ArmProblem& problem, State& state, const CarriedPrio
   const auto before = [](const Term& term, int knot) { return term.first_knot < knot; };
   const auto begin = std::lower_bound(terms.begin(), terms.end(), range.start_knot, before);
   const auto end = std::lower_bound(begin, terms.end(), range.end_knot, before);
-  terms_.reserve(terms_.size() + U(static_cast<int>(end - begin)));
+  terms_.reserve(terms_.size() + static_cast<std::size_t>(end - begin));
   blocks_.reserve(std::accumulate(
       begin, end, blocks_.size(),
       [](std::size_t sum, const Term& term) { return sum + term.unknowns.size(); }));

@@ -57,7 +57,7 @@ class FrontSweep {
   const double* LastFactor() const { return last_.data(); }
 
   // Visits the fronts from last to first with their eliminated columns as FactorFront left them.
-  // Values must be those of the last pass.
+  // Values, terms and prior must be those of the last pass: a search may have stepped on since.
   using Visitor = std::function<void(const FrontPlan::Front& front, const double* L)>;
   void VisitBackwards(const FrontPlan& plan, const Visitor& visit);
 
@@ -84,7 +84,7 @@ class FrontSweep {
   LargeBuffer<double> last_;                 // those of the last front, unrounded
   LargeBuffer<double> eliminated_;           // those of this front
   LargeBuffer<double> front_, before_;       // the other columns of this front and of the last
-  LargeBuffer<double> marks_;                // before every kTogether-th front, those of the last
+  LargeBuffer<double> marks_;                // the same before every kTogether-th front
   LargeBuffer<double> together_;             // eliminated columns of that many fronts
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> least_, y_, d_;

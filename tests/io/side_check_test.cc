@@ -42,11 +42,13 @@ Observations Holding(const Held& held, Side told) {
   return observations;
 }
 
-std::string Said(const Held& held, Side told) {
+std::string Said(const Observations& observations) {
   Findings findings;
-  CheckSide(Holding(held, told), &findings);
+  CheckSide(observations, &findings);
   return findings.warnings.empty() ? "" : findings.warnings.front();
 }
+
+std::string Said(const Held& held, Side told) { return Said(Holding(held, told)); }
 
 constexpr Held kShown[] = {
     {},
@@ -56,6 +58,7 @@ constexpr Held kShown[] = {
     {.forward = -30.0, .flexion = 80.0, .pronation = 120.0},
     {.aside = 40.0, .flexion = 90.0, .pronation = 35.0},
     {.aside = -40.0, .flexion = 90.0, .pronation = 145.0},
+    {.forward = 150.0, .flexion = 90.0},
 };
 
 TEST(SideCheck, NamesTheWrongSideWhereverTheUpperArmIsHeld) {
@@ -72,22 +75,46 @@ TEST(SideCheck, IsSilentOnTheRightOne) {
 
 TEST(SideCheck, IsSilentWhereNothingShowsIt) {
   for (const Held& held : {Held{.flexion = 10.0}, Held{.pronation = 0.0}, Held{.pronation = 180.0},
-                           Held{.aside = 80.0}, Held{.forward = -60.0, .flexion = 90.0}})
+                           Held{.aside = 80.0}, Held{.forward = -60.0, .flexion = 90.0},
+                           Held{.forward = 90.0, .flexion = 130.0}})
     for (const Side told : {Side::kRight, Side::kLeft})
       EXPECT_EQ(Said(held, told), "")
           << held.forward << " " << held.aside << " " << held.flexion << " " << held.pronation;
 }
 
-TEST(SideCheck, IsSilentWithoutMountingsAndInShortMoments) {
-  Observations observations = Holding({}, Side::kLeft);
-  observations.recordings[1].mounting.reset();
-  Findings findings;
-  CheckSide(observations, &findings);
-  Observations brief = Holding({}, Side::kLeft);
-  for (Recording& recording : brief.recordings)
-    for (std::size_t i = 0; i < 100; ++i) recording.acc_S[i] *= 1.2;
-  CheckSide(brief, &findings);
-  EXPECT_TRUE(findings.warnings.empty());
+TEST(SideCheck, IsSilentWithoutMountings) {
+  for (const std::size_t sensor : {0, 1}) {
+    Observations observations = Holding({}, Side::kLeft);
+    observations.recordings[sensor].mounting.reset();
+    EXPECT_EQ(Said(observations), "") << sensor;
+  }
+}
+
+TEST(SideCheck, IsSilentWhereEitherSegmentFeelsMoreThanGravityMostOfTheTime) {
+  for (const std::size_t sensor : {0, 1}) {
+    Observations observations = Holding({}, Side::kLeft);
+    for (std::size_t i = 0; i < 100; ++i) observations.recordings[sensor].acc_S[i] *= 1.2;
+    EXPECT_EQ(Said(observations), "") << sensor;
+  }
+}
+
+// At first the forearm is held as a left one could be; the upper arm's sensor is half as fast.
+TEST(SideCheck, PutsTogetherWhatWasMeasuredAtTheSameTime) {
+  Observations observations = Holding({.pronation = -90.0}, Side::kLeft);
+  const Observations later = Holding({.forward = 40.0, .flexion = 100.0}, Side::kLeft);
+  for (std::size_t sensor : {0, 1}) {
+    Recording& recording = observations.recordings[sensor];
+    const auto& acc_S = later.recordings[sensor].acc_S;
+    for (std::size_t i = 50; i < 200; ++i) recording.acc_S[i] = acc_S[i];
+  }
+  Recording& upper = observations.recordings[0];
+  for (std::size_t i = 0; i < 100; ++i) {
+    upper.time[i] = upper.time[2 * i];
+    upper.acc_S[i] = upper.acc_S[2 * i];
+  }
+  upper.time.resize(100);
+  upper.acc_S.resize(100);
+  EXPECT_THAT(Said(observations), HasSubstr("pronation -1.00"));
 }
 
 }  // namespace

@@ -157,6 +157,22 @@ TEST(Preintegrated, KnowsWhatAClockThatIsBehindChangesUpToBothEndsOfTheRecording
   EXPECT_TRUE(whole.dp_dc.allFinite());
 }
 
+TEST(Preintegrated, TakesWhatAClockChangesFromTheSignalsAtItsEndsAlsoNearThoseOfTheRecording) {
+  const MovingSensor sensor = SwayingSensor(0.7);
+  const Preintegrator samples(Even(sensor, 100.0, 0.8));
+  const auto expect = [&](double start, double end) {
+    const Preintegrated sum = samples.Sum(start, end, kNoBias);
+    const SensorInstant first = sensor(start), last = sensor(end);
+    EXPECT_LT((sum.dR_dc - (sum.dq.conjugate() * first.gyr_S - last.gyr_S)).norm(), 1e-3) << start;
+    const Vector3d dv_dc = first.gyr_S.cross(sum.dv) - sum.dq * last.acc_S + first.acc_S;
+    EXPECT_LT((sum.dv_dc - dv_dc).norm(), 1e-2) << start;
+  };
+  for (const double off : {0.005, 0.01, 0.015, 0.025, 0.035, 0.055, 0.1}) {
+    expect(off, 0.4);
+    expect(0.4, 0.8 - off);
+  }
+}
+
 TEST(Preintegrator, TakesTheSamplesThatAClockWhichIsBehindStampedEarlier) {
   const Preintegrator samples(Even(SwayingSensor(0.7), 100.0, 0.8));
   const auto behind = samples.Sum(0.25, 0.5, kNoBias, 0.05),

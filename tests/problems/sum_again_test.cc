@@ -66,6 +66,22 @@ TEST(SumAgain, TakesEachSensorsSamplesWhereItsClockIs) {
   }
 }
 
+// The other sensor is on for less long, so that the clock does not move the knots.
+TEST(SumAgain, SaysWhatAProblemAboutThatClockSaysFromTheStart) {
+  Observations observations = Brisk(16).observations;
+  observations.recordings[0] = Cut(observations.recordings[0], 1.0, 15.0);
+  ArmProblem again(observations, {}, 0.1);
+  again.SumAgain(again.PriorState(), {0.0, kBehind});
+  Stretch whole;
+  whole.clock_offset = {0.0, kBehind};
+  const ArmProblem start(observations, {}, 0.1, std::nullopt, whole);
+  for (const int knot : {0, 40, start.timeline().Intervals() - 1})
+    for (const ResidualKind kind : {ResidualKind::kGyroscope, ResidualKind::kAccelerometer})
+      EXPECT_LT((Said(again, kind, knot) - Said(start, kind, knot)).norm(),
+                1e-9 * Said(start, kind, knot).norm())
+          << Name(kind) << " " << knot;
+}
+
 TEST(SumAgain, MovesTheRestsOfASensorByItsClock) {
   const ArmProblem before(Brisk(16).observations, {}, 0.1), again = SummedAgain();
   EXPECT_EQ(RestStarts(again, 0), RestStarts(before, 0));

@@ -266,24 +266,6 @@ TEST(Elimination, VisitsTheCovariancesOfTheDenseInverse) {
     EXPECT_NE(seen.contains(unknown), stretch.problem.Describe(unknown).held) << unknown;
 }
 
-TEST(Elimination, HandsTheSameOnAfterItsCovariancesWereVisited) {
-  Stretch stretch;
-  const Elimination elimination = stretch.Eliminated({}, 0, 6);
-  const CarriedPrior before = elimination.Carry();
-  elimination.VisitCovariances([](int, const BlockIndex&, const CovarianceView&) {});
-  const CarriedPrior after = elimination.Carry();
-  EXPECT_EQ(after.unknowns, before.unknowns);
-  std::vector<const double*> values;
-  for (const int unknown : before.unknowns)
-    values.push_back(stretch.problem.Value(stretch.state, unknown));
-  const auto residuals = [&](const CarriedPrior& prior) {
-    std::vector<double> r(static_cast<std::size_t>(prior.cost->num_residuals()));
-    prior.cost->Evaluate(values.data(), r.data(), nullptr);
-    return r;
-  };
-  EXPECT_EQ(residuals(after), residuals(before));
-}
-
 TEST(Elimination, NamesTheUnknownsThatNothingDetermines) {
   Stretch stretch;
   stretch.problem = ArmProblem(stretch.problem.observations(), stretch.problem.options(), 0.1);

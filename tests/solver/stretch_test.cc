@@ -2,11 +2,29 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/initial_guess.h"
 #include "solver/window.h"
 #include "tests/support/simulated_trial.h"
 
 namespace brachium {
 namespace {
+
+// Sd of the second sensor's attitude about an axis at every knot from `start` on, before which `prior`
+// speaks.
+std::vector<double> AttitudeSds(const ArmProblem& problem, State& state, const CarriedPrior& prior,
+                                int start) {
+  ChainWorkspace workspace(problem);
+  const int knots = problem.size().knots;
+  workspace.Linearise(problem, state, prior,
+                      {.start_knot = start, .end_knot = knots, .last_knot = knots - 1});
+  std::vector<double> sds(static_cast<std::size_t>(knots - start));
+  Elimination(workspace).VisitCovariances(
+      [&](int knot, const BlockIndex& index, const CovarianceView& covariance) {
+        if (const int at = index.OffsetOf(problem.Attitude(knot, 1)); at >= 0)
+          sds[static_cast<std::size_t>(knot - start)] = std::sqrt(covariance(at, at));
+      });
+  return sds;
+}
 
 // Two problems about the same 16 s: one from its start, one that begins at a bias node of the other.
 class Stretches : public testing::Test {
@@ -19,22 +37,6 @@ class Stretches : public testing::Test {
     handover_ = HandOver(problem_, state_, prior_, knot_);
   }
 
-  // Sd of every unknown of the second half, by its offset after the knot, from its attitudes.
-  static std::vector<double> AttitudeSds(const ArmProblem& problem, State& state,
-                                         const CarriedPrior& prior, int start) {
-    ChainWorkspace workspace(problem);
-    const int knots = problem.size().knots;
-    workspace.Linearise(problem, state, prior,
-                        {.start_knot = start, .end_knot = knots, .last_knot = knots - 1});
-    std::vector<double> sds(static_cast<std::size_t>(knots - start));
-    Elimination(workspace).VisitCovariances(
-        [&](int knot, const BlockIndex& index, const CovarianceView& covariance) {
-          if (const int at = index.OffsetOf(problem.Attitude(knot, 1)); at >= 0)
-            sds[static_cast<std::size_t>(knot - start)] = std::sqrt(covariance(at, at));
-        });
-    return sds;
-  }
-
   Observations observations_ = Brisk(16).observations;
   ArmProblem problem_{observations_, {}, 0.1};
   State state_;
@@ -42,6 +44,59 @@ class Stretches : public testing::Test {
   CarriedPrior prior_;
   Handover handover_;
 };
+
+// Of more fronts than are taken again at a time for covariances, so poorly measured that nine digits of
+// these are left.
+class LongStretch : public testing::Test {
+ protected:
+  LongStretch() : problem_(Poor(Brisk(40).observations), {}, 0.1), state_(problem_.PriorState()) {
+    SetFirstKnot(problem_, state_);
+    problem_.FixHeadings(state_);
+    DeadReckon(problem_, state_, 0, problem_.timeline().Intervals());
+  }
+
+  static Observations Poor(Observations observations) {
+    for (Recording& recording : observations.recordings) {
+      recording.noise.gyro_density *= 100.0;
+      recording.noise.gyro_bias_walk *= 100.0;
+      recording.noise.accel_density *= 100.0;
+    }
+    return observations;
+  }
+
+  std::vector<double> Residuals(const CarriedPrior& prior) {
+    std::vector<const double*> values;
+    for (const int unknown : prior.unknowns) values.push_back(problem_.Value(state_, unknown));
+    std::vector<double> r(static_cast<std::size_t>(prior.cost->num_residuals()));
+    prior.cost->Evaluate(values.data(), r.data(), nullptr);
+    return r;
+  }
+
+  ArmProblem problem_;
+  State state_;
+};
+
+TEST_F(LongStretch, IsAsCertainWhereverItsBatchesOfFrontsBegin) {
+  ChainWorkspace workspace(problem_);
+  const int knot = problem_.timeline().nodes[1], knots = problem_.size().knots;
+  const CarriedPrior prior = Elimination(problem_, state_, {}, 0, knot, workspace).Carry();
+  const std::vector<double> all = AttitudeSds(problem_, state_, {}, 0),
+                            rest = AttitudeSds(problem_, state_, prior, knot);
+  for (int i = 0; i < knots - knot; ++i) {
+    const double one = all[static_cast<std::size_t>(knot + i)];
+    EXPECT_NEAR(rest[static_cast<std::size_t>(i)] / one, 1.0, 1e-7) << knot + i;
+  }
+}
+
+TEST_F(LongStretch, HandsTheSameOnAfterItsCovariancesWereVisited) {
+  ChainWorkspace workspace(problem_);
+  const Elimination elimination(problem_, state_, {}, 0, 300, workspace);
+  const CarriedPrior before = elimination.Carry();
+  elimination.VisitCovariances([](int, const BlockIndex&, const CovarianceView&) {});
+  const CarriedPrior after = elimination.Carry();
+  EXPECT_EQ(after.unknowns, before.unknowns);
+  EXPECT_EQ(Residuals(after), Residuals(before));
+}
 
 TEST_F(Stretches, KnowAfterAHandoverWhatTheOneProblemKnows) {
   ArmProblem next(ToldBetween(observations_, &handover_, HUGE_VAL), {}, 0.1, std::nullopt,

@@ -73,7 +73,8 @@ TEST(Gyroscope, IsOneAtOneSigma) {
 
 TEST(Gyroscope, IsBlindToAnyRotationOfTheWorld) {
   std::mt19937 random(1);
-  const Gyroscope residual = Example(kZero).Residual();
+  const Example example(kZero);
+  const Gyroscope residual = example.Residual();
   const BlockValues x = RandomValues(Gyroscope::Blocks(), random, 0.01);
   const BlockValues turned = TurnedWorld(RandomRotation(random), x, std::vector<bool>(6, false));
   EXPECT_LT((ResidualAt(residual, x) - ResidualAt(residual, turned)).norm(), 1e-9);
