@@ -21,7 +21,7 @@ constexpr double kUpright =
     0.5;                       // of gravity in the plane in which the elbow bends, to tell how far
 constexpr double kBent = 0.5;  // of gravity across the forearm, to tell its pronation
 constexpr double kLeastTime = 1.5;  // [s]
-constexpr double kClear = 0.4;      // median sine of pronation; sound trials: 0.6 and more
+constexpr double kClear = 0.5;      // median sine of pronation; sound trials: 0.6 and more
 
 // The one flexion at which gravity stands as far along the forearm as it does; none where there is
 // another, or none that an elbow reaches.
