@@ -52,8 +52,8 @@ std::string Said(const Held& held, Side told) { return Said(Holding(held, told))
 
 constexpr Held kShown[] = {
     {},
-    {.flexion = 45.0, .pronation = 30.0},
-    {.flexion = 130.0, .pronation = 150.0},
+    {.flexion = 45.0, .pronation = 35.0},
+    {.flexion = 130.0, .pronation = 145.0},
     {.forward = 40.0, .flexion = 100.0},
     {.forward = -30.0, .flexion = 80.0, .pronation = 120.0},
     {.aside = 40.0, .flexion = 90.0, .pronation = 35.0},
