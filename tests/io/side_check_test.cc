@@ -98,22 +98,20 @@ TEST(SideCheck, IsSilentWhereEitherSegmentFeelsMoreThanGravityMostOfTheTime) {
   }
 }
 
-// At first the forearm is held as a left one could be; the upper arm's sensor is half as fast.
+// For nearly half of the time nothing shows; the upper arm's sensor is twice as fast.
 TEST(SideCheck, PutsTogetherWhatWasMeasuredAtTheSameTime) {
-  Observations observations = Holding({.pronation = -90.0}, Side::kLeft);
-  const Observations later = Holding({.forward = 40.0, .flexion = 100.0}, Side::kLeft);
-  for (std::size_t sensor : {0, 1}) {
-    Recording& recording = observations.recordings[sensor];
-    const auto& acc_S = later.recordings[sensor].acc_S;
-    for (std::size_t i = 50; i < 200; ++i) recording.acc_S[i] = acc_S[i];
-  }
+  const Observations first = Holding({.pronation = 0.0}, Side::kLeft);
+  Observations observations = Holding({.forward = 40.0, .flexion = 100.0}, Side::kLeft);
+  for (const std::size_t sensor : {0, 1})
+    for (std::size_t i = 0; i < 90; ++i)
+      observations.recordings[sensor].acc_S[i] = first.recordings[sensor].acc_S[i];
   Recording& upper = observations.recordings[0];
-  for (std::size_t i = 0; i < 100; ++i) {
-    upper.time[i] = upper.time[2 * i];
-    upper.acc_S[i] = upper.acc_S[2 * i];
+  const Recording slow = upper;
+  for (std::size_t i = 0; i < 200; ++i) {
+    upper.time.insert(upper.time.begin() + static_cast<std::ptrdiff_t>(2 * i + 1),
+                      slow.time[i] + 0.005);
+    upper.acc_S.insert(upper.acc_S.begin() + static_cast<std::ptrdiff_t>(2 * i + 1), slow.acc_S[i]);
   }
-  upper.time.resize(100);
-  upper.acc_S.resize(100);
   EXPECT_THAT(Said(observations), HasSubstr("pronation -1.00"));
 }
 
