@@ -101,7 +101,7 @@ TEST(SideCheck, IsSilentWhereEitherSegmentFeelsMoreThanGravityMostOfTheTime) {
 // For nearly half of the time nothing shows; the upper arm's sensor is twice as fast.
 TEST(SideCheck, PutsTogetherWhatWasMeasuredAtTheSameTime) {
   const Observations first = Holding({.pronation = 0.0}, Side::kLeft);
-  Observations observations = Holding({.forward = 40.0, .flexion = 100.0}, Side::kLeft);
+  Observations observations = Holding({.aside = 40.0}, Side::kLeft);
   for (const std::size_t sensor : {0, 1})
     for (std::size_t i = 0; i < 90; ++i)
       observations.recordings[sensor].acc_S[i] = first.recordings[sensor].acc_S[i];
