@@ -16,8 +16,20 @@ constexpr double kSingular = 1e-13;
 // Damping leaves no pivot below this share of what it adds, rounding apart.
 constexpr double kShareOfDamping = 1e-3;
 
-// Fronts that are eliminated again at a time.
-constexpr std::size_t kTogether = 128;
+// Fronts that stand in full precision at a time: a window's, and of a longer run its last ones.
+constexpr std::size_t kTogether = 256;
+
+// Numbers of their eliminated columns.
+std::size_t MostTogether(const FrontPlan& plan) {
+  const auto& fronts = plan.fronts();
+  std::size_t most = 0;
+  for (std::size_t begin = 0, end; begin < fronts.size(); begin = end) {
+    end = begin + kTogether;
+    const std::size_t after = end < fronts.size() ? fronts[end].storage : plan.storage();
+    most = std::max(most, after - fronts[begin].storage);
+  }
+  return most;
+}
 
 // The diagonal that damping multiplies is kept away from nothing and from infinity.
 double Clamped(double diagonal) { return std::clamp(diagonal, 1e-6, 1e32); }
@@ -36,6 +48,7 @@ void FrontSweep::Prepare(const FrontPlan& plan) {
   for (LargeBuffer<double>* square : {&last_, &eliminated_, &front_, &before_})
     square->Reserve(widest * widest + kLane);
   marks_.Reserve((plan.fronts().size() / kTogether + 1) * widest * widest);
+  together_.Reserve(MostTogether(plan));
   least_.resize(widest);
   y_.resize(widest);
   d_.resize(widest);
@@ -62,6 +75,7 @@ FrontSweep::Sums FrontSweep::Run(const FrontPlan& plan, double damping) {
     Eliminate(front);
     NoteLost(front);
     Keep(eliminated_.data(), front.eliminated * front.Stride(), factors_.data() + front.storage);
+    if (i / kTogether == (plan.fronts().size() - 1) / kTogether) KeepExact(plan, i);
     const double* y = eliminated_.data() + front.columns;
     for (int k = 0; k < front.eliminated; ++k, y += front.Stride()) sums.length_2 += *y * *y;
     stride_before = front.Stride();
@@ -78,21 +92,34 @@ void FrontSweep::VisitBackwards(const FrontPlan& plan, const Visitor& visit) {
   const auto& fronts = plan.fronts();
   for (std::size_t end = fronts.size(), begin; end > 0; end = begin) {
     begin = (end - 1) / kTogether * kTogether;
-    const auto place = [&](std::size_t i) { return fronts[i].storage - fronts[begin].storage; };
-    together_.Reserve(place(end - 1) + U(fronts[end - 1].eliminated * fronts[end - 1].Stride()));
-    int stride_before = begin == 0 ? 0 : fronts[begin - 1].Stride();
-    std::copy_n(Mark(plan, begin), U(stride_before) * U(stride_before), front_.data());
-    for (std::size_t i = begin; i < end; ++i) {
-      TakeOver(plan, fronts[i], stride_before);
-      for (const FrontPlan::PlannedTerm& term : plan.Terms(fronts[i]))
-        AddTerm(plan, fronts[i], term);
-      Eliminate(fronts[i]);
-      stride_before = fronts[i].Stride();
-      std::copy_n(eliminated_.data(), fronts[i].eliminated * stride_before,
-                  together_.data() + place(i));
-    }
-    for (std::size_t i = end; i-- > begin;) visit(fronts[i], together_.data() + place(i));
+    if (begin != together_begin_) EliminateAgain(plan, begin, end);
+    for (std::size_t i = end; i-- > begin;) visit(fronts[i], Exact(plan, i));
   }
+}
+
+void FrontSweep::EliminateAgain(const FrontPlan& plan, std::size_t begin, std::size_t end) {
+  int stride_before = begin == 0 ? 0 : plan.fronts()[begin - 1].Stride();
+  std::copy_n(Mark(plan, begin), U(stride_before) * U(stride_before), front_.data());
+  for (std::size_t i = begin; i < end; ++i) {
+    const FrontPlan::Front& front = plan.fronts()[i];
+    TakeOver(plan, front, stride_before);
+    for (const FrontPlan::PlannedTerm& term : plan.Terms(front)) AddTerm(plan, front, term);
+    Eliminate(front);
+    KeepExact(plan, i);
+    stride_before = front.Stride();
+  }
+}
+
+// The eliminated columns of a front, of those that stand together now.
+double* FrontSweep::Exact(const FrontPlan& plan, std::size_t front) {
+  const std::size_t begin = front / kTogether * kTogether;
+  return together_.data() + (plan.fronts()[front].storage - plan.fronts()[begin].storage);
+}
+
+void FrontSweep::KeepExact(const FrontPlan& plan, std::size_t front) {
+  const FrontPlan::Front& kept = plan.fronts()[front];
+  together_begin_ = front / kTogether * kTogether;
+  std::copy_n(eliminated_.data(), kept.eliminated * kept.Stride(), Exact(plan, front));
 }
 
 // What stands before a front.

@@ -3,8 +3,8 @@
 //   L Lᵀ = H_EE,   B = H_SE L⁻ᵀ,   y = L⁻¹ g_E,   H_SS -= B Bᵀ,   g_S -= B y,
 // and backwards d_E = -L⁻ᵀ (y + Bᵀ d_S). The fronts of one trial have one size, so time and memory
 // are linear in its length; a pass allocates nothing. Covariances, whose digits are few where unknowns
-// hold each other tightly, do not go by the factor that is kept: fronts are eliminated again for them, a
-// few at a time from the last to the first, and stand in full precision.
+// hold each other tightly, do not go by the factor that is kept: for them fronts stand in full
+// precision, some at a time from the last to the first, and are eliminated again where they did not.
 // Source: the multifrontal Cholesky factorisation, Duff & Reid (1983), on a chain.
 #pragma once
 
@@ -67,6 +67,9 @@ class FrontSweep {
   }
   double* Column(const FrontPlan::Front& front, int column);
   double* Mark(const FrontPlan& plan, std::size_t front);
+  double* Exact(const FrontPlan& plan, std::size_t front);
+  void KeepExact(const FrontPlan& plan, std::size_t front);
+  void EliminateAgain(const FrontPlan& plan, std::size_t begin, std::size_t end);
   void Clear(const FrontPlan::Front& front, int begin, int end);
   void CopyRun(const FrontPlan::Front& front, std::span<const FrontPlan::Run> runs,
                const double* before, int stride_before);
@@ -86,6 +89,7 @@ class FrontSweep {
   LargeBuffer<double> front_, before_;       // the other columns of this front and of the last
   LargeBuffer<double> marks_;                // the same before every kTogether-th front
   LargeBuffer<double> together_;             // eliminated columns of that many fronts
+  std::size_t together_begin_ = 0;           // the first of them
   std::vector<double> diagonal_, gradient_;  // of JᵀJ and Jᵀr, all columns
   std::vector<double> least_, y_, d_;
   std::vector<int> lost_;  // columns whose pivots lost all digits in the last pass, increasing

@@ -49,7 +49,7 @@ class Stretches : public testing::Test {
 // these are left.
 class LongStretch : public testing::Test {
  protected:
-  LongStretch() : problem_(Poor(Brisk(40).observations), {}, 0.1), state_(problem_.PriorState()) {
+  LongStretch() : problem_(Poor(Brisk(65).observations), {}, 0.1), state_(problem_.PriorState()) {
     SetFirstKnot(problem_, state_);
     problem_.FixHeadings(state_);
     DeadReckon(problem_, state_, 0, problem_.timeline().Intervals());
@@ -90,7 +90,7 @@ TEST_F(LongStretch, IsAsCertainWhereverItsBatchesOfFrontsBegin) {
 
 TEST_F(LongStretch, HandsTheSameOnAfterItsCovariancesWereVisited) {
   ChainWorkspace workspace(problem_);
-  const Elimination elimination(problem_, state_, {}, 0, 300, workspace);
+  const Elimination elimination(problem_, state_, {}, 0, 600, workspace);
   const CarriedPrior before = elimination.Carry();
   elimination.VisitCovariances([](int, const BlockIndex&, const CovarianceView&) {});
   const CarriedPrior after = elimination.Carry();
