@@ -21,7 +21,7 @@ void CountSamples(benchmark::State& state) {
                           static_cast<std::int64_t>(OneMinute().size()));
 }
 
-// Cells, slopes, what is missing or out of range: before any interval is asked for.
+// Cells, what is missing or out of range: before any interval is asked for.
 void Prepare(benchmark::State& state) {
   const Recording& recording = OneMinute();
   for (auto _ : state) benchmark::DoNotOptimize(Preintegrator(recording).Period());

@@ -162,7 +162,7 @@ void WholeTrial(benchmark::State& state, SolverKind solver) {
 BENCHMARK_CAPTURE(WholeTrial, chain, SolverKind::kChain)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(WholeTrial, ceres, SolverKind::kCeres)->Unit(benchmark::kMillisecond);
 
-// Of all unknowns, at the minimum: forwards as in a pass, and backwards.
+// Of all unknowns, at the minimum: forwards as in a pass, and backwards, again for most fronts.
 void Covariance(benchmark::State& state) {
   Minute minute;
   AfterWindows(minute);
