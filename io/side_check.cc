@@ -17,9 +17,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLeastFlexion = -10 * kDegree, kMostFlexion = 160 * kDegree;
-constexpr double kUpright =
-    0.5;                       // of gravity in the plane in which the elbow bends, to tell how far
-constexpr double kBent = 0.5;  // of gravity across the forearm, to tell its pronation
+constexpr double kUpright = 0.5;    // of gravity in the plane of bending, to tell the flexion
+constexpr double kBent = 0.5;       // of gravity across the forearm, to tell its pronation
 constexpr double kLeastTime = 1.5;  // [s]
 constexpr double kClear = 0.5;      // median sine of pronation; sound trials: 0.6 and more
 
