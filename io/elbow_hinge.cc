@@ -80,8 +80,7 @@ CarriedSensor::CarriedSensor(const ElbowSensor& sensor, const Quaterniond& q_BS,
 }
 
 Quaterniond CarriedSensor::Level(std::size_t first, std::size_t count) const {
-  return Quaterniond::FromTwoVectors(force_sum_[first + count] - force_sum_[first],
-                                     Vector3d::UnitZ());
+  return RotationBetween(force_sum_[first + count] - force_sum_[first], Vector3d::UnitZ());
 }
 
 HingeFit FitHinge(const CarriedSensor& upper, const CarriedSensor& fore, const ArmModel& arm,

@@ -22,6 +22,10 @@ Eigen::Matrix3d InverseRightJacobian(const Eigen::Vector3d& phi) {
   return Eigen::Matrix3d::Identity() + 0.5 * S + (1 - 0.5 * a / std::tan(0.5 * a)) / a2 * S * S;
 }
 
+Eigen::Quaterniond RotationBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return Eigen::Quaterniond::FromTwoVectors(a, b);
+}
+
 Eigen::Quaterniond MeanRotation(const std::vector<Eigen::Quaterniond>& rotations) {
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
   for (const Eigen::Quaterniond& q : rotations) sum += q.coeffs() * q.coeffs().transpose();

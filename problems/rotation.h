@@ -59,9 +59,7 @@ Eigen::Matrix3d RightJacobian(const Eigen::Vector3d& phi);
 Eigen::Matrix3d InverseRightJacobian(const Eigen::Vector3d& phi);
 
 // The shortest rotation R with R a = b, for directions a and b.
-inline Eigen::Quaterniond RotationBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return Eigen::Quaterniond::FromTwoVectors(a, b);
-}
+Eigen::Quaterniond RotationBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 // The rotation with the least sum of squared sines of half the angles to all of them, which need not
 // be near one another's sign. Requires at least one. Source: Markley et al., J. Guid. Control Dyn. 30
