@@ -105,7 +105,7 @@ void CheckRate(const Recording& recording, const std::string& name, Findings* fi
   const std::vector<Window> longer = WindowsOf(recording, kLongWindow);
   if (longer.size() < kFewest) return;
   const double scale = BestScaleOver(recording, longer, 1.0);
-  if (std::abs(scale / best - 1.0) > kAgreement) return;
+  if (std::abs(scale - 1.0) < kTolerance || std::abs(scale / best - 1.0) > kAgreement) return;
   findings->warnings.push_back(name + ": the sampling rate looks wrong (gravity turns " +
                                Fixed(best, 2) + " times as far as gyr says); expected about " +
                                Fixed(1.0 / (best * SamplingPeriod(recording)), 1) +

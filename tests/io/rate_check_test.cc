@@ -43,5 +43,15 @@ TEST(RateCheck, IsSilentOnARateThatIsNearlyRight) {
   for (const double faster : {0.95, 1.0, 1.05}) EXPECT_EQ(SaidAt(faster), "") << faster;
 }
 
+// Seven short windows of the upper arm would have it 10 % too fast, longer ones as told.
+TEST(RateCheck, IsSilentWhereLongerWindowsFitTheRateAsTold) {
+  const Trial trial =
+      SoundTrial({.name = "reach", .seed = 1405, .duration = 20.0}, Drawn(SimulationOptions{}));
+  Findings findings;
+  for (const Recording& recording : trial.observations.recordings)
+    CheckRate(recording, "sensor", &findings);
+  EXPECT_TRUE(findings.warnings.empty());
+}
+
 }  // namespace
 }  // namespace brachium

@@ -59,6 +59,16 @@ TEST(TrialChecks, AreSilentOnSkinThatMovesWhileTheArmHardlyDoes) {
   }
 }
 
+// Chance and skin explain much of few movements: of the carrying angle, of the force and of both.
+TEST(TrialChecks, AreSilentOnShortTrialsOfFewMovements) {
+  const SimulationOptions skin = WornLoosely(1 * kDegree);
+  const ScenarioOptions scenarios[] = {{.name = "daily_slow", .seed = 2014, .duration = 30.0},
+                                       {.name = "daily_slow", .seed = 2004, .duration = 40.0},
+                                       {.name = "goniometer_steps", .seed = 1305}};
+  for (const ScenarioOptions& scenario : scenarios)
+    EXPECT_EQ(Said(SoundTrial(scenario, skin)), "") << scenario.name;
+}
+
 TEST(TrialChecks, NameRatesExchangedSensorsAndClocksOnSkin) {
   std::vector<Trial> sound;
   for (const std::string scenario : {"daily_brisk", "daily_slow", "reach"})

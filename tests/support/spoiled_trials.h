@@ -10,6 +10,7 @@
 #include "io/recording_checks.h"
 #include "io/trial_checks.h"
 #include "problems/rotation.h"
+#include "problems/sampling.h"
 #include "problems/simulation/simulate.h"
 
 namespace brachium {
@@ -33,7 +34,8 @@ inline void Delay(Recording& recording, double lag) {
 // Orientations as a maker would give them, changed by `change`.
 inline void Orient(Trial& trial, Eigen::Quaterniond (*change)(const Eigen::Quaterniond&)) {
   for (Recording& recording : trial.observations.recordings) {
-    const auto& q_VB = trial.reference->q_VB.at(recording.segment);
+    const auto q_VB = Interpolate(SampleTimes(trial.reference->time),
+                                  trial.reference->q_VB.at(recording.segment), recording.time);
     for (const Eigen::Quaterniond& q : q_VB)
       recording.q_WS.push_back(change(q * recording.mounting->q_BS));
   }
@@ -176,6 +178,15 @@ inline SimulationOptions WornLoosely(double along) {
       .along_rms = along, .across_rms = 0.4 * along, .translation_rms = 0.001 * along / kDegree};
   errors.mounting_error = 2 * kDegree;
   errors.lost_share = 0.01;
+  return errors;
+}
+
+// All errors drawn, with their sizes as sd, of sensors within their class too.
+inline SimulationOptions Drawn(SimulationOptions errors) {
+  errors.draw_sizes = true;
+  errors.scale_error = 0.003;
+  errors.misalignment = 0.5 * kDegree;
+  errors.start_pose_error = 5 * kDegree;
   return errors;
 }
 
