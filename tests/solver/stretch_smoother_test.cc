@@ -111,7 +111,7 @@ TEST(SmoothingInStretches, DoesNotLeapWhereOneStretchHandsOverToTheNext) {
     steps.push_back(Log<double>((found[i - 1].conjugate() * found[i]).conjugate() *
                                 (truth[i - 1].conjugate() * truth[i]))
                         .norm());
-  EXPECT_LT(Worst(steps), 0.1 * kDegree);
+  EXPECT_LT(Worst(steps), 0.05 * kDegree);
 }
 
 TEST(SmoothingInStretches, HandsOutEverySampleOnceAndInOrder) {
