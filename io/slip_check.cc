@@ -15,25 +15,26 @@ constexpr double kLongest = 1200.0;          // [s]
 constexpr double kLeastChange = 0.015;       // of the elbow in the sensor's axes [m]
 constexpr double kLeastTurn = 12 * kDegree;  // of the sensor; skin does as much
 constexpr double kNear = 3.0;                // from a slip by the hinge to one by force [s]
-// A score of one is what each of them would need alone. Sound trials: 1.03 and less, both together.
-constexpr double kLeastScore = 1.1;
-
-// What chance explains, and soft tissue: less of a longer trial, down to what does not average out.
-// The largest shares of 2000 sound trials of 20 to 125 s follow 11 s / length and
-// 10.6 s / (length - 12 s): a window of the hinge is lost to its heading.
+// How much likelier a slip makes the trial, -log(1 - share), beside what chance and soft tissue make
+// of it: that falls with the length of a trial, down to what does not average out; a window of the
+// hinge is lost to its heading. A score of one, of both together, is a slip; the largest of 3000 sound
+// trials of 20 to 125 s is 0.88.
 constexpr double kAverages = 75.0;   // [s]
-constexpr double kByForce = 12.0;    // [s]
-constexpr double kByHinge = 15.0;    // [s]
+constexpr double kByForce = 20.0;    // [s]
+constexpr double kByHinge = 24.0;    // [s]
 constexpr double kOneWindow = 12.0;  // [s]
 
+double Likelier(double share) { return -std::log1p(-share); }
+
 double ForceScore(const SlipEvidence& slip, double length) {
-  return slip.change < kLeastChange ? 0.0 : slip.share * std::min(length, kAverages) / kByForce;
+  return slip.change < kLeastChange ? 0.0
+                                    : Likelier(slip.share) * std::min(length, kAverages) / kByForce;
 }
 
 double HingeScore(const SlipEvidence& slip, double length) {
   return slip.change < kLeastTurn
              ? 0.0
-             : slip.share * (std::min(length, kAverages) - kOneWindow) / kByHinge;
+             : Likelier(slip.share) * (std::min(length, kAverages) - kOneWindow) / kByHinge;
 }
 
 struct Slip {
@@ -71,7 +72,7 @@ void CheckSlip(const Observations& observations, Findings* findings) {
   const double length = kElbowStep * static_cast<double>(sensors->size());
   const Slip slip =
       LikeliestSlip(SlipsByForce(*sensors), SlipsByHinge(*sensors, observations.arm), length);
-  if (slip.score < kLeastScore) return;
+  if (slip.score < 1.0) return;
   findings->warnings.push_back("from about " + Fixed(slip.time, 0) +
                                " s on a sensor sits otherwise: " + slip.text +
                                ", seen from the elbow; if it slipped, make two trials of this one "
