@@ -58,6 +58,7 @@ int RunCommand(const std::string& name, const std::vector<std::string>& words) {
     CommandLine line(name, words);
     return command.run(line);
   }
+  if (name == "sweep") throw UsageError("expected sweep plan, run, status, merge or submit");
   throw UsageError("unknown command '" + name + "'" + DidYouMean(name, names) +
                    " (see brachium help)");
 }
@@ -125,8 +126,8 @@ int Main(const std::vector<std::string>& words) try {
   return Complain(error, kWrongInput);
 } catch (const std::bad_alloc&) {
   return Complain(
-      OutputError(
-          "there is not enough memory; a long trial needs little of it with --whole_trial=false"),
+      OutputError("there is not enough memory; `reconstruct --whole_trial=false` needs little for "
+                  "a long trial"),
       kWrongUsage);
 } catch (const std::exception& error) {
   return Complain(error, kWrongUsage);

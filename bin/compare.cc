@@ -32,8 +32,8 @@ struct CompareFlags {
   bool overwrite = false;
 
   bool IsValid(std::string* why) const {
-    if (quick && experiment.empty()) return *why = "quick goes with experiment only", false;
-    if (threads < 0) return *why = "threads must not be negative", false;
+    if (quick && experiment.empty()) return *why = "--quick goes with --experiment only", false;
+    if (threads < 0) return *why = "--threads must not be negative", false;
     return true;
   }
 

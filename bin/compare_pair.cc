@@ -105,7 +105,7 @@ ComparedPair RunPair(const PairTask& task) {
   } catch (const InputError& error) {
     fail(Outcome::kUnreadable, error.what());
   } catch (const std::bad_alloc&) {
-    fail(Outcome::kFailed, "there is not enough memory; try fewer --jobs");
+    fail(Outcome::kFailed, "there is not enough memory; try fewer --threads");
   } catch (const std::exception& error) {
     fail(Outcome::kFailed, error.what());
   }

@@ -91,6 +91,13 @@ std::string EstimateText(const std::string& trial, const Estimate& estimate) {
          (diagnostics.notes.empty() ? "" : "\n") + Listing("Notes:", diagnostics.notes) + "\n";
 }
 
+void WarnOfDistrust(const Diagnostics& diagnostics, std::ostream& to) {
+  if (diagnostics.converged && !diagnostics.singular) return;
+  to << "brachium: the result is not to be trusted: "
+     << (diagnostics.singular ? "the information matrix is singular" : "not converged")
+     << (diagnostics.termination.empty() ? "" : "; " + diagnostics.termination) << "\n";
+}
+
 std::string FindingsText(const Findings& findings) {
   return Listing("Defaults taken:", findings.defaults) + Listing("Repaired:", findings.repairs) +
          Listing("Warnings:", findings.warnings);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bin/commands.h"
+#include "bin/estimate_text.h"
 #include "bin/evaluation_text.h"
 #include "bin/help.h"
 #include "bin/judge.h"
@@ -36,7 +37,7 @@ const CommandHelp kHelp = {
     "segment and between segments, joint angles, positions. Absolute orientations and positions "
     "are compared after one constant heading and shift, which no inertial sensor can know. Prints "
     "tables and writes evaluation.json. Exits with 2, and writes nothing, when the trial has no "
-    "reference."};
+    "reference or the estimate was made from other recordings."};
 
 }  // namespace
 
@@ -52,13 +53,17 @@ int RunEvaluate(CommandLine& line) {
   const TrialFolder folder = ReadTrial(flags.trial);
   const Reference& reference = RequireReference(folder, flags.trial);
   const Estimate estimate = ReadEstimate(flags.estimate);
+  RequireMadeFrom(ReadRun(flags.estimate), flags.estimate, folder, flags.trial);
   const Evaluation evaluation = Judge(estimate, reference, flags.trial);
   {
     const WithoutInterruption writing;
     WriteEvaluation(output, evaluation, flags.overwrite);
   }
   std::cout << "Trial " << folder.trial.name << "\n"
-            << EvaluationText(evaluation) << "Evaluation in " << output << "/evaluation.json\n";
+            << EvaluationText(evaluation)
+            << FindingsText({.defaults = {}, .repairs = {}, .warnings = folder.warnings})
+            << "Evaluation in " << output << "/evaluation.json\n";
+  WarnOfDistrust(estimate.diagnostics, std::cerr);
   return kGood;
 }
 

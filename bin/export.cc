@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bin/commands.h"
+#include "bin/estimate_text.h"
 #include "bin/help.h"
 #include "bin/termination.h"
 #include "io/estimate_folder.h"
@@ -49,6 +50,7 @@ int RunExport(CommandLine& line) {
   } catch (const std::invalid_argument& error) {
     throw InputError(flags.estimate, 0, error.what());
   }
+  WarnOfDistrust(estimate.diagnostics, std::cerr);
   std::cout << "Written for OpenSim into " << flags.output << "\n";
   return kGood;
 }

@@ -28,7 +28,8 @@ struct ImportFlags {
     visit("files", flags.files, "The files of one trial, or folders of them, parted by commas.");
     visit("map", flags.map,
           "Which sensor was worn where: SENSORID:segment,... A sensor goes by its name in the file "
-          "or by the beginning of the file's name; sensors that are not named are left out.");
+          "or by the beginning of the file's name, in whole words; sensors that are not named are "
+          "left out.");
     visit("side", flags.side, "The arm that was recorded, right or left.");
     visit("rate", flags.rate,
           "Samples a second, for files that do not say it [Hz]. 0: as the files say.");

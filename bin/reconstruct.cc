@@ -55,11 +55,8 @@ Estimate RunWatched(const Estimator& estimator, const Observations& observations
 int Verdict(const Diagnostics& diagnostics) {
   for (const std::string& unknown : diagnostics.held_by_prior)
     std::cerr << "brachium: held by its prior only: " << unknown << "\n";
-  if (diagnostics.converged && !diagnostics.singular) return kGood;
-  std::cerr << "brachium: the result is not to be trusted: "
-            << (diagnostics.singular ? "the information matrix is singular" : "not converged")
-            << (diagnostics.termination.empty() ? "" : "; " + diagnostics.termination) << "\n";
-  return kNotToBeTrusted;
+  WarnOfDistrust(diagnostics, std::cerr);
+  return diagnostics.converged && !diagnostics.singular ? kGood : kNotToBeTrusted;
 }
 
 // The motion goes from the recordings' files to the estimate's without ever being held.

@@ -80,6 +80,18 @@ std::string FlagsText(const std::vector<NameValue>& flags) {
   return text;
 }
 
+// An interrupted comparison holds estimates alone, and the trials of an experiment.
+void RequireComparison(const std::string& folder) {
+  if (!fs::is_directory(folder) || fs::exists(fs::path(folder) / "comparison.json")) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "estimates" && name != "trials" && entry.path().extension() != ".svg")
+      throw OutputExists(
+          folder + ": holds " + name +
+          " and is not a comparison, so it is not written to; choose another folder");
+  }
+}
+
 }  // namespace
 
 std::string ComparisonCsv(const Comparison& comparison) {
@@ -120,6 +132,7 @@ std::string ComparisonJson(const Comparison& comparison, const ComparisonInfo& i
 
 void CheckComparable(const std::string& folder, const std::vector<NameValue>& flags,
                      bool overwrite) {
+  RequireComparison(folder);
   const std::string file = (fs::path(folder) / "run.flags").string();
   if (overwrite || !fs::exists(file)) return;
   if (FileBytes(file).text() != FlagsText(flags))

@@ -35,8 +35,8 @@ struct ComparisonInfo {
 std::string ComparisonCsv(const Comparison& comparison);
 std::string ComparisonJson(const Comparison& comparison, const ComparisonInfo& info);
 
-// Throws OutputExists when the folder holds a comparison by other flags and may not be overwritten:
-// for a check before long work.
+// Throws OutputExists when the folder holds something else than a comparison, or one by other flags
+// that may not be overwritten: for a check before long work.
 void CheckComparable(const std::string& folder, const std::vector<NameValue>& flags,
                      bool overwrite);
 

@@ -13,6 +13,7 @@
 #include "io/json_input.h"
 #include "io/summary.h"
 #include "io/summary_read.h"
+#include "io/text.h"
 
 namespace brachium {
 namespace {
@@ -90,6 +91,11 @@ bool HoldsEstimate(const std::string& folder, const std::string& method, const R
 Estimate ReadEstimate(const std::string& folder) {
   const JsonNode summary = ReadSummary(folder);
   Estimate estimate = ReadEstimateCsv((std::filesystem::path(folder) / "estimate.csv").string());
+  if (const double told = summary.At("samples").Number();
+      told != static_cast<double>(estimate.time.size()))
+    throw InputError((std::filesystem::path(folder) / "estimate.csv").string(), 0,
+                     "has " + std::to_string(estimate.time.size()) + " samples; expected the " +
+                         Shortest(told) + " of summary.json: make the estimate again");
   estimate.method = summary.At("method").Text();
   estimate.side = ParseSide(summary.At("side"));
   estimate.diagnostics = DiagnosticsFrom(summary);

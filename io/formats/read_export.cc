@@ -23,10 +23,13 @@ std::string Lower(std::string text) {
   return text;
 }
 
-// Whether `key` means this sensor: its name, or that of its file up to the end or an underscore.
+bool IsOfWord(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
+
+// Whether `key` means this sensor: its name, or the beginning of its file's name by whole words.
 bool Means(const std::string& key, const std::string& sensor, const std::string& path) {
   const std::string stem = Lower(StemOf(path)), lower = Lower(key);
-  return Lower(sensor) == lower || stem == lower || stem.starts_with(lower + "_");
+  if (lower.empty() || Lower(sensor) == lower || stem == lower) return !lower.empty();
+  return stem.starts_with(lower) && !(IsOfWord(lower.back()) && IsOfWord(stem[lower.size()]));
 }
 
 // Every file of the list; of a folder, the text files in it in alphabetical order.
@@ -58,7 +61,11 @@ class Importer {
 
   ImportedTrial Read() {
     clock_.rate_hz = import_.rate_hz;
-    for (const std::string& path : FilesOf(import_.files)) ReadFile(path);
+    const std::vector<std::string> files = FilesOf(import_.files);
+    if (files.empty())
+      throw InputError(import_.files.empty() ? "" : import_.files.front(), 0,
+                       "has no .txt, .csv or _motion.tsv in it; expected the exports of a trial");
+    for (const std::string& path : files) ReadFile(path);
     for (const auto& [key, segment] : import_.segment_of)
       if (!found_.contains(segment))
         throw InputError(import_.files.empty() ? "" : import_.files.front(), 0,
@@ -87,7 +94,7 @@ class Importer {
     const FileBytes bytes(path);
     ExportFile file{.path = path, .name = fs::path(path).filename().string(), .text = bytes.text()};
     file.wanted = [this, &path](const std::string& sensor) {
-      seen_.push_back(sensor);
+      seen_.push_back(sensor + " in " + fs::path(path).filename().string());
       return SegmentOf(sensor, path).has_value();
     };
     for (const SensorExport& sensor : import_.format->read(file, &clock_, &result_)) {

@@ -62,8 +62,25 @@ TEST_F(Import, RefusesSensorsThatAreNotThereAndMapsThatMakeNoSense) {
   const Outcome absent = RunImport({"--map=00B40000:forearm"});
   EXPECT_EQ(absent.exit_code, 2);
   EXPECT_THAT(absent.err, HasSubstr("the sensors at hand are 00B42D4B"));
+  EXPECT_THAT(absent.err, HasSubstr("in MT_1_00B42D4B.txt"));
   EXPECT_EQ(RunImport({"--map=00B42D4B:knee"}).exit_code, 1);
   EXPECT_EQ(RunImport({"--map="}).exit_code, 1);
+}
+
+TEST_F(Import, KnowsASensorByTheBeginningOfItsFileInWholeWords) {
+  WriteExport("MT_01-000_00B42D4B.txt", "// Update Rate: 100.0Hz\n");
+  for (const char* key : {"MT_01", "mt_01-", "MT_01-000_00B42D4B"})
+    EXPECT_EQ(RunImport({std::string("--map=") + key + ":forearm", "--overwrite"}).exit_code, 0)
+        << key;
+  for (const char* key : {"MT_0", "01", "M"})
+    EXPECT_EQ(RunImport({std::string("--map=") + key + ":forearm", "--overwrite"}).exit_code, 2)
+        << key;
+}
+
+TEST_F(Import, SaysThatAFolderHoldsNoExport) {
+  const Outcome outcome = RunImport({"--map=A:forearm"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("expected the exports of a trial"));
 }
 
 // A folder of many recordings as MT Manager left it.

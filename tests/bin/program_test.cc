@@ -152,6 +152,32 @@ TEST_F(Program, ATrialWithoutReferenceCannotBeEvaluated) {
   EXPECT_FALSE(std::filesystem::exists(Path("estimate/evaluation.json")));
 }
 
+TEST_F(Program, AnEstimateOfOtherRecordingsCannotBeEvaluated) {
+  ASSERT_EQ(Reconstruct(Simulate(), Path("estimate"), {"--method=gyroscope"}).exit_code, 0);
+  const std::string other = Simulate({"--seed=2", "--overwrite"});
+  const Outcome outcome = Run({"evaluate", "--trial=" + other, "--estimate=" + Path("estimate")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("was not made from upper_arm.csv"));
+  EXPECT_FALSE(std::filesystem::exists(Path("estimate/evaluation.json")));
+}
+
+TEST_F(Program, EvaluateWarnsOfTheReferenceAndOfAResultNotToBeTrusted) {
+  const std::string trial = Simulate();
+  ASSERT_EQ(Reconstruct(trial, Path("estimate"), {"--method=gyroscope"}).exit_code, 0);
+  json description = ReadJson(trial + "/trial.json");
+  description["reference"]["typo"] = 1;
+  Write("trial/trial.json", description.dump());
+  json summary = ReadJson(Path("estimate/summary.json"));
+  summary["convergence"]["singular"] = true;
+  Write("estimate/summary.json", summary.dump());
+  const Outcome evaluated = Run({"evaluate", "--trial=" + trial, "--estimate=" + Path("estimate")});
+  EXPECT_EQ(evaluated.exit_code, 0) << evaluated.err;
+  EXPECT_THAT(evaluated.out, AllOf(HasSubstr("Warnings:"), HasSubstr("typo")));
+  EXPECT_THAT(evaluated.err, HasSubstr("not to be trusted"));
+  EXPECT_THAT(Run({"export", "--estimate=" + Path("estimate"), "--output=" + Path("e")}).err,
+              HasSubstr("not to be trusted"));
+}
+
 TEST_F(Program, HelpSaysHowEvaluateAndCompareExit) {
   EXPECT_THAT(Run({"evaluate", "--help"}).out, HasSubstr("Exits with 2"));
   EXPECT_THAT(Run({"compare", "--help"}).out,

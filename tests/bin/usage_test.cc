@@ -51,6 +51,7 @@ TEST_F(Usage, NothingOrAnUnknownCommandIsRefused) {
   const Outcome outcome = Run({"reconstrukt"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("did you mean 'reconstruct'?"));
+  EXPECT_THAT(Run({"sweep"}).err, HasSubstr("plan, run, status, merge or submit"));
 }
 
 TEST_F(Usage, AnUnknownFlagIsRefusedWithItsNearestNeighbour) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "io/comparison_figures.h"
 #include "io/output_folder.h"
@@ -116,6 +117,16 @@ TEST(ComparisonFolder, IsNotReplacedByOneOfOtherFlagsUnlessToldSo) {
   EXPECT_NO_THROW(WriteComparison(place, Example(), info, ComparisonFigures(Example()), false));
   EXPECT_THROW(CheckComparable(place, {{"methods", "a"}}, false), OutputExists);
   EXPECT_NO_THROW(CheckComparable(place, {{"methods", "a"}}, true));
+}
+
+TEST(ComparisonFolder, IsNotMadeOfAnotherKindOfFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.File("estimate"));
+  std::filesystem::create_directories(folder.File("begun/estimates/one/a"));
+  folder.Write("estimate/summary.json", "{}");
+  EXPECT_THROW(CheckComparable(folder.File("estimate"), {{"methods", "a"}}, true), OutputExists);
+  EXPECT_NO_THROW(CheckComparable(folder.File("begun"), {{"methods", "a"}}, false));
+  EXPECT_NO_THROW(CheckComparable(folder.File("absent"), {{"methods", "a"}}, false));
 }
 
 }  // namespace

@@ -243,6 +243,15 @@ TEST(EstimateFolder, IsOverwrittenOnlyWhenTold) {
   EXPECT_FALSE(here.Has("e/evaluation.json"));
 }
 
+TEST(EstimateFolder, IsRefusedWhenItsMotionIsCutOff) {
+  const TemporaryFolder here;
+  WriteEstimate(here.File("e"), MakeEstimate(), MakeRun(), false);
+  std::string motion = here.Read("e/estimate.csv");
+  motion.pop_back();
+  here.Write("e/estimate.csv", motion.substr(0, motion.rfind('\n') + 1));
+  EXPECT_THROW(ReadEstimate(here.File("e")), InputError);
+}
+
 TEST(EstimateFolder, IsRefusedWhenItIsNone) {
   const TemporaryFolder here;
   EXPECT_THROW(ReadEstimate(here.File("absent")), InputError);
