@@ -5,11 +5,11 @@
 
 #include "io/input_error.h"
 #include "io/text.h"
+#include "problems/sampling.h"
 
 namespace brachium {
 namespace {
 
-constexpr double kGapFactor = 1.8;
 constexpr double kLongestStep = 0.5;    // [s]: no movement can be followed below 2 Hz
 constexpr double kShortestStep = 1e-5;  // [s]
 constexpr double kLongGap = 60.0;       // [s]

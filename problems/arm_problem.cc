@@ -139,6 +139,7 @@ void ArmProblem::SumAgain(const State& state, const std::vector<double>& clock_o
   });
   for (int sensor = 0; sensor < size_.sensors; ++sensor) AddRests(sensor);
   SortTerms();
+  if (stretch_.start) DropStart();
 }
 
 // In the order in which knots are eliminated.

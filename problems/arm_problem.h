@@ -117,6 +117,9 @@ class ArmProblem {
   // Takes all mountings as told from here on, their sds remaining. Turns in `state` become zero.
   void HoldMountings(State& state);
 
+  // What samples that are missing in an interval add to its turn, per axis, up to a turn's [rad²].
+  static double GapVariance(const Preintegrated& interval);
+
   const Preintegrated& Interval(int knot, int sensor) const {
     return intervals_[static_cast<std::size_t>(knot * size_.sensors + sensor)];
   }

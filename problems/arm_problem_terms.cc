@@ -25,6 +25,7 @@ using Eigen::Vector3d;
 using Scalar = Eigen::Matrix<double, 1, 1>;
 
 constexpr double kGaugeSigma = 1e-4;         // of the first place [m]
+constexpr double kElbowSwing = 0.2;          // of an elbow, first joint of a chain, per axis [m]
 constexpr double kLostAttitude = 2.0;        // by the longest gap: more than that is a turn [rad]
 constexpr double kStartVelocitySigma = 2.0;  // a person may walk into a trial [m/s]
 constexpr double kFlexionLimits[] = {-5 * kDegree, 160 * kDegree};
@@ -109,13 +110,17 @@ void ArmProblem::AddConstants() {
                  {elbow.carrying_angle_sigma, elbow.carrying_slope_sigma});
 }
 
+double ArmProblem::GapVariance(const Preintegrated& interval) {
+  return std::min(interval.gyro_gap_variance, Square(kLostAttitude));
+}
+
 std::unique_ptr<TangentCost> ArmProblem::MakeGyroscope(int knot, int sensor) const {
   const Preintegrated& interval = Interval(knot, sensor);
   const Recording& recording = observations_.recordings[U(sensor)];
   const double variance = 0.5 * Square(recording.noise.gyro_density) * interval.duration +
                           2 * options_.unmodelled_correlation_s * Square(options_.gyro_cross_axis) *
                               interval.rate_squared +
-                          std::min(interval.gyro_gap_variance, Square(kLostAttitude));
+                          GapVariance(interval);
   const Eigen::Quaterniond q_BS =
       recording.mounting ? recording.mounting->q_BS : Eigen::Quaterniond::Identity();
   return std::unique_ptr<TangentCost>(MakeCost(Gyroscope(
@@ -255,7 +260,9 @@ void ArmProblem::AddElbow() {
 
 void ArmProblem::AddShoulder() {
   if (size_.sensors == 1) return;
-  const ShoulderModel& shoulder = observations_.arm.shoulder;
+  ShoulderModel shoulder = observations_.arm.shoulder;
+  if (observations_.recordings[U(FirstOfArm())].segment > Segment::kUpperArm)
+    shoulder.sigma = std::hypot(shoulder.sigma, kElbowSwing);
   const Vector3d p_shoulder_T =
       has_thorax_ ? observations_.arm.segments.at(Segment::kThorax).p_distal_B : Vector3d::Zero();
   const int mean = Constant(UnknownKind::kShoulderMean, -1);
@@ -286,6 +293,7 @@ void ArmProblem::AddRests(int sensor) {
   const double behind = Interval(0, sensor).clock_offset;
   for (const RestInterval& rest : rests_[U(sensor)]) {
     const double rest_start = rest.start + behind, rest_end = rest.end + behind;
+    if (rest_end < timeline_.knots.front()) continue;
     // What rocks faster rocks for a shorter time: the way it goes stays the same.
     const double sigma = options_.zero_velocity_sigma_m_s * rest.slack,
                  correlation = options_.zero_velocity_correlation_s / rest.slack;

@@ -21,6 +21,7 @@ std::optional<ImuNoise> NoiseFromPreset(const std::string& name) {
 }
 
 double SamplingPeriod(const Recording& recording) {
+  if (recording.period > 0.0) return recording.period;
   std::vector<double> steps;
   steps.reserve(recording.size());
   for (std::size_t i = 1; i < recording.size(); ++i)

@@ -45,11 +45,14 @@ struct Recording {
   std::vector<Eigen::Quaterniond> q_WS;  // fused orientation of the maker; empty when absent
   ImuNoise noise;
   std::optional<Mounting> mounting;  // absent: not calibrated
+  double period =
+      0.0;  // of the whole, where this is a part of a recording [s]; 0: of these samples
 
   std::size_t size() const { return time.size(); }
 };
 
-// The usual step between samples: the median of the differences [s]. Needs two samples.
+// The usual step between samples: the median of the differences [s], of the whole recording where
+// this is a part of it. Needs two samples.
 double SamplingPeriod(const Recording& recording);
 
 }  // namespace brachium

@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "problems/rotation.h"
+#include "problems/sampling.h"
 #include "problems/saturation.h"
 
 namespace brachium {
 namespace {
 
 using Eigen::Vector3d;
-
-// A step beyond this many usual ones means that samples are missing.
-constexpr double kGapFactor = 1.8;
 
 // How far a signal can leave the straight line across a gap of length h: a curvature times h², no
 // more than what an arm reaches at all.

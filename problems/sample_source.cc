@@ -21,10 +21,14 @@ void Append(const Recording& from, std::size_t first, std::size_t last, Recordin
 }  // namespace
 
 Recording SampleSource::Between(double from, double to) {
-  while ((held_.time.empty() || held_.time.back() < to) && ReadOn(held_)) Forget(from);
+  while ((held_.time.empty() || held_.time.back() < to) && ReadOn(held_)) {
+    if (held_.period == 0.0 && held_.size() > 1) held_.period = SamplingPeriod(held_);
+    Forget(from);
+  }
   Forget(from);
   const auto beyond = std::ranges::lower_bound(held_.time, to) - held_.time.begin();
   Recording between;
+  between.period = held_.period;
   Append(held_, 0, std::min(static_cast<std::size_t>(beyond) + 1, held_.size()), between);
   return between;
 }

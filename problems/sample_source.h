@@ -33,7 +33,7 @@ class SampleSource {
  private:
   void Forget(double before);
 
-  Recording held_;
+  Recording held_;  // its period: of the first samples that were read
 };
 
 // A recording that lies in memory.

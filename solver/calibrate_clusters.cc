@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "problems/rotation.h"
+#include "problems/sampling.h"
 
 namespace brachium {
 namespace {
 
 using Eigen::Quaterniond, Eigen::Vector3d;
 
-constexpr double kSpan = 0.1;       // of a rate [s]
-constexpr double kGapFactor = 1.8;  // of the usual span: beyond it samples are missing
+constexpr double kSpan = 0.1;  // of a rate [s]
 
 double MedianStep(const std::vector<double>& time) {
   std::vector<double> steps;

@@ -49,7 +49,7 @@ class Descent {
       const double foretold = sweep_.Step(plan_, step_);
       if (damping_ <= kNoDamping && IsSmall()) {
         values_.Set(step_, 1.0);
-        here_.cost -= foretold;
+        here_.cost = std::max(0.0, here_.cost - foretold);
         return Ended(true, "The step is small against the standard deviations.");
       }
       ++summary_.iterations;

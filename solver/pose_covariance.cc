@@ -98,15 +98,18 @@ void PoseCovariance::CollectJoints(int knot, const BlockIndex& index,
   Influences influences{
       {index.OffsetOf(problem_.Root(knot, problem_.size().roots - 1)), Matrix3d::Identity()}};
   *variance = VarianceOf(influences, covariance);
+  Vector3d untested = Vector3d::Zero();  // by turns of mountings, which move what lies beyond
   const int sensors = problem_.size().sensors;
   for (int sensor = problem_.FirstOfArm(); joints_ > 1 && sensor < sensors; ++sensor) {
     const Matrix3d R_WB = problem_.SegmentAttitude(state_, knot, sensor).toRotationMatrix();
-    const Vector d(state_.Constant(UnknownKind::kJointVector, sensor));
+    const Vector3d d_W = R_WB * Vector(state_.Constant(UnknownKind::kJointVector, sensor));
     for (const Influence& turn : OnAttitude(problem_, state_, knot, sensor, index))
-      influences.push_back({turn.offset, -Skew<double>(R_WB * d) * turn.J});
+      influences.push_back({turn.offset, -Skew<double>(d_W) * turn.J});
     const int lever = index.OffsetOf(problem_.Constant(UnknownKind::kJointVector, sensor));
     if (lever >= 0) influences.push_back({lever, R_WB});
-    *++variance = VarianceOf(influences, covariance);
+    const double turned = problem_.UntestedMountingSigma(sensor);
+    untested.array() += turned * turned * (d_W.squaredNorm() - d_W.array().square());
+    *++variance = VarianceOf(influences, covariance) + untested;
     if (lever < 0) *variance += LengthVariance(sensor);
   }
 }
@@ -127,8 +130,9 @@ MatrixXd PoseCovariance::Attitudes(int knot, double fraction) const {
       b * b * At(here_, knot) + a * a * At(here_, knot + 1) + a * b * (across + across.transpose());
   for (int sensor = 0; 3 * sensor < size_; ++sensor) {
     const double density = problem_.observations().recordings[U(sensor)].noise.gyro_density;
+    const Preintegrated& interval = problem_.Interval(knot, sensor);
     P.diagonal().segment<3>(3 * sensor).array() +=
-        a * b * problem_.Interval(knot, sensor).duration * density * density / 2;
+        a * b * (interval.duration * density * density / 2 + problem_.GapVariance(interval));
   }
   return P;
 }

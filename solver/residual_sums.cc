@@ -55,7 +55,7 @@ double ResidualScale(const std::vector<ResidualStatistics>& residuals, double un
     count += static_cast<double>(kind.count);
     squares += static_cast<double>(kind.count) * kind.rms * kind.rms;
   }
-  return std::sqrt(squares / (count - unknowns));
+  return count > unknowns ? std::sqrt(squares / (count - unknowns)) : 1.0;
 }
 
 }  // namespace brachium

@@ -30,7 +30,8 @@ class ResidualSums {
   std::map<std::pair<ResidualKind, int>, Sum> sums_;
 };
 
-// Rms of the whitened residuals over their degrees of freedom: 1 where the model is right.
+// Rms of the whitened residuals over their degrees of freedom: 1 where the model is right,
+// or where there are no more of them than unknowns.
 double ResidualScale(const std::vector<ResidualStatistics>& residuals, double unknowns);
 
 }  // namespace brachium

@@ -98,7 +98,7 @@ class SelfCalibration {
     std::string why;
     const auto joint = FollowBallJoint(observations_, &why);
     if (!joint) return Refuse(why);
-    if (joint->time.back() - joint->time.front() < kShortest)
+    if (joint->time.empty() || joint->time.back() - joint->time.front() < kShortest)
       return Refuse("both sensors together cover less than 10 s: record 10 s or more of movement");
     if (!IsPlaced(*joint)) return;
     const HingeAnatomy anatomy = AnatomyFrom(*joint);

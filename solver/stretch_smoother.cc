@@ -162,6 +162,7 @@ Observations StretchSmoother::Cut(double start, double end) {
     cut.recordings[i].time = std::move(samples.time);
     cut.recordings[i].gyr_S = std::move(samples.gyr_S);
     cut.recordings[i].acc_S = std::move(samples.acc_S);
+    cut.recordings[i].period = samples.period;
   }
   return cut;
 }

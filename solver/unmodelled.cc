@@ -127,6 +127,11 @@ UnmodelledSums::UnmodelledSums(const ArmProblem& problem)
   }
 }
 
+// Draws through a factor that is nearly singular may leave less than was thrown in, or nothing.
+double UnmodelledSums::Spread::Variance() const {
+  return squares / (redundancy > kPriorResiduals ? redundancy : kPriorResiduals);
+}
+
 void UnmodelledSums::Add(const ArmProblem& problem, int start_knot, int end_knot,
                          ChainWorkspace& workspace) {
   Residuals residuals(workspace.plan, Draw(draws_, random_, workspace));

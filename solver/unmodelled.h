@@ -34,7 +34,7 @@ class UnmodelledSums {
   // do not take up; their variance.
   struct Spread {
     double squares = 0.0, redundancy = 0.0;
-    double Variance() const { return squares / redundancy; }
+    double Variance() const;
   };
 
   // White density of an accelerometer, and what goes for it where something lasting is left out.

@@ -13,8 +13,14 @@ bool IsWholeChain(const Observations& observations, std::string* why) {
            " is missing: give its q_BS_wxyz and p_BS_m in trial.json, from a calibration";
     return false;
   }
-  segments.erase(Segment::kThorax);
+  const bool has_thorax = segments.erase(Segment::kThorax) > 0;
   if (segments.empty()) return true;
+  if (has_thorax && *segments.begin() > Segment::kUpperArm) {
+    *why =
+        "there is no recording of the upper arm, which joins the thorax to the others: add it, or "
+        "leave out the thorax";
+    return false;
+  }
   for (const Segment segment : kSegments) {
     if (segment < *segments.begin() || segment > *segments.rbegin()) continue;
     if (segments.contains(segment)) continue;

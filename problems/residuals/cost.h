@@ -19,8 +19,6 @@
 
 namespace brachium {
 
-enum class Derivatives { kAnalytic, kAutomatic };
-
 constexpr int TangentSize(int block) { return block == 4 ? 3 : block; }
 
 template <int kRows, int kColumns>

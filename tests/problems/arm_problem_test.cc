@@ -354,6 +354,15 @@ TEST(ResidualKind, HasANameForEveryKind) {
   EXPECT_FALSE(names.contains(""));
 }
 
+// The arm rests at first and moves by the time the forearm's recording begins.
+TEST(ArmProblem, LeavesOutRestsThatEndedBeforeItsFirstKnot) {
+  Observations observations = Brisk(16).observations;
+  observations.recordings[1] = Cut(observations.recordings[1], 6.0, 16.0);
+  const ArmProblem problem(observations, {}, 0.1);
+  for (const Term& term : problem.terms())
+    EXPECT_FALSE(term.kind == ResidualKind::kZeroVelocity && term.first_knot == 0);
+}
+
 TEST(ArmProblem, BoundsWhatARestThatIsNoneCanSay) {
   const ArmProblem problem(Brisk(16).observations, {}, 0.1);
   for (const Term& term : problem.terms()) {

@@ -106,9 +106,17 @@ TEST(Hand, WithItsForearmNeedsNoUpperArm) {
   trial.observations.recordings.erase(trial.observations.recordings.begin());
   const Estimate estimate = Smoothed(trial.observations);
   EXPECT_LT(ErrorBetween(estimate, *trial.reference, Segment::kForearm, Segment::kHand),
-            3 * kDegree);
+            0.3 * kDegree);
   EXPECT_FALSE(estimate.p_W.contains("shoulder"));
   EXPECT_TRUE(estimate.p_W.contains("elbow"));
+}
+
+TEST(Forearm, BesideAThoraxNeedsTheUpperArm) {
+  Observations observations = Brisk(16).observations;
+  observations.recordings[0].segment = Segment::kThorax;
+  std::string why;
+  EXPECT_FALSE(BatchSmoother({}).Accepts(observations, &why));
+  EXPECT_NE(why.find("upper arm"), why.npos) << why;
 }
 
 }  // namespace

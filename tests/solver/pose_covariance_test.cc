@@ -147,6 +147,33 @@ TEST(StandardDeviations, HoldWhatWasToldOfAMountingThatNothingInTheTrialTests) {
   const Vector3d more = variance(told) - variance(exact);
   for (int axis = 0; axis < 3; ++axis)
     EXPECT_NEAR(more[axis], std::pow(3 * kDegree, 2), 0.01 * std::pow(3 * kDegree, 2));
+
+  const auto elbow = [](const Estimate& estimate) {
+    return estimate.sd_W.at("elbow")[800].squaredNorm();
+  };
+  const double length = observations.arm.segments.at(Segment::kUpperArm).p_distal_B.norm();
+  const double moved = 2 * std::pow(3 * kDegree * length, 2);
+  EXPECT_NEAR(elbow(told) - elbow(exact), moved, 0.1 * moved);
+}
+
+// Which knots do not part, where the other sensor tells the instants.
+TEST(StandardDeviations, GrowWhereTheFirstSegmentsSamplesAreMissing) {
+  const Trial trial = Brisk(16);
+  Observations observations = trial.observations;
+  Recording& upper = observations.recordings[0];
+  const Recording before = Cut(upper, 0.0, 7.5), after = Cut(upper, 8.5, 16.0);
+  upper = before;
+  upper.time.insert(upper.time.end(), after.time.begin(), after.time.end());
+  upper.gyr_S.insert(upper.gyr_S.end(), after.gyr_S.begin(), after.gyr_S.end());
+  upper.acc_S.insert(upper.acc_S.end(), after.acc_S.begin(), after.acc_S.end());
+  std::swap(observations.recordings[0], observations.recordings[1]);
+  const Estimate estimate = BatchSmoother({}).Run(observations);
+  const auto found = ForearmInUpperArm(estimate.q_WB),
+             truth = ForearmInUpperArm(trial.reference->q_VB);
+  for (const std::size_t i : {770u, 800u, 830u}) {
+    const double error = Log<double>(found[i].conjugate() * truth[i]).norm();
+    EXPECT_LT(error, 3 * estimate.sd_B.at(Segment::kUpperArm)[i].norm()) << i;
+  }
 }
 
 TEST(StandardDeviations, AreScaledByTheResidualsOnDemand) {

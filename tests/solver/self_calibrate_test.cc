@@ -52,6 +52,13 @@ Vector3d SdsOf(const SegmentCalibration& segment) {
                             FigureOf(segment, "rz_sd_deg"));
 }
 
+TEST(SelfCalibrate, AsksForMoreWhereTheSensorsShareNextToNothing) {
+  Observations observations = Brisk(35).observations;
+  observations.recordings[0] = Cut(observations.recordings[0], 20.0, 20.2);
+  observations.recordings[1] = Cut(observations.recordings[1], 20.02, 20.09);
+  EXPECT_THAT(Calibrated(observations).faults, Contains(HasSubstr("10 s")));
+}
+
 TEST(SelfCalibrate, FindsBothMountingsOfEitherArmFromMovementThatNobodyLabelled) {
   for (const Side side : {Side::kRight, Side::kLeft}) {
     const SimulatedTrial simulated = Simulate(MakeScenario(Worn(side)), Untold());

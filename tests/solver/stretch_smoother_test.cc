@@ -241,6 +241,22 @@ TEST(SmoothingInStretches, BridgesAGapLongerThanAStretch) {
     for (const auto& q : q_WB) EXPECT_TRUE(q.coeffs().allFinite());
 }
 
+// The pieces that are left of it on either side would else be two samples at a usual distance.
+TEST(SmoothingInStretches, GoOnAfterASensorWasAwayForLongerThanAStretch) {
+  const Trial trial = Brisk(300);
+  Observations observations = trial.observations;
+  Recording& forearm = observations.recordings[1];
+  const Recording after = Cut(forearm, 240.0, 300.0);
+  forearm = Cut(forearm, 0.0, 60.0);
+  Append(after, 0.0, forearm);
+  const Estimate estimate = Smoothed(observations, InStretches());
+  const auto found = ForearmInUpperArm(estimate.q_WB),
+             truth = ForearmInUpperArm(trial.reference->q_VB);
+  const auto late = static_cast<std::ptrdiff_t>(245.0 / 300.0 * static_cast<double>(found.size()));
+  EXPECT_LT(RmsAngle({found.begin() + late, found.end()}, {truth.begin() + late, truth.end()}),
+            0.5 * kDegree);
+}
+
 TEST(SmoothingInStretches, CountsARestAcrossAHandoverOnce) {
   Observations still = ThreeMinutes().observations;
   for (Recording& recording : still.recordings)
