@@ -82,7 +82,7 @@ std::string FlagsText(const std::vector<NameValue>& flags) {
 
 // An interrupted comparison holds estimates alone, and the trials of an experiment.
 void RequireComparison(const std::string& folder) {
-  if (!fs::is_directory(folder) || fs::exists(fs::path(folder) / "comparison.json")) return;
+  if (!fs::is_directory(folder) || fs::exists(fs::path(folder) / "comparison.csv")) return;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name != "estimates" && name != "trials" && entry.path().extension() != ".svg")

@@ -211,7 +211,7 @@ TEST_F(Compare, ExitsWithThreeWhenAMethodThrowsAndLeavesTheOthers) {
   EXPECT_THAT(outcome.out, HasSubstr("smoother on one: there is not enough memory"));
   const json pairs = Json("comparison.json")["pairs"];
   EXPECT_EQ(pairs[0]["outcome"], "failed");
-  EXPECT_EQ(pairs[0]["reason"], "there is not enough memory; try fewer --jobs");
+  EXPECT_EQ(pairs[0]["reason"], "there is not enough memory; try fewer --threads");
   EXPECT_FALSE(pairs[0].contains("evaluation"));
   EXPECT_FALSE(fs::exists(Path("comparison/estimates/one/smoother")));
   for (const std::size_t i : {1u, 2u}) {
