@@ -193,8 +193,12 @@ void CommandLine::Set(const Flag& flag, const std::string& value, const std::str
 void CommandLine::RefuseUnknown(const Word& word, const std::string& name) const {
   std::vector<std::string_view> names;
   for (const Flag& flag : flags_) names.push_back(flag.name);
+  std::string command = command_;
+  for (const std::string chosen : {"method", "methods"})
+    if (const std::string methods = Peek(chosen, ""); !methods.empty())
+      command += " --" + chosen + "=" + methods;
   throw UsageError(word.origin + "unknown flag --" + name + DidYouMean(name, names) +
-                   " (see brachium " + command_ + " --help)");
+                   " (see brachium " + command + " --help)");
 }
 
 std::vector<std::pair<std::string, std::string>> CommandLine::RunFlags(

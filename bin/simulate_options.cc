@@ -50,8 +50,8 @@ void SetRates(const std::string& text, SimulationOptions& errors) {
   for (std::string word; std::getline(words, word, ',');) {
     char* end = nullptr;
     rates.push_back(std::strtod(word.c_str(), &end));
-    if (word.empty() || *end != '\0')
-      throw UsageError("--rate_hz=" + text + ": numbers were expected");
+    if (word.empty() || *end != '\0' || !(rates.back() > 0.0))
+      throw UsageError("--rate_hz=" + text + ": numbers above 0 were expected");
   }
   if (rates.empty() || (rates.size() != 1 && rates.size() != errors.worn.size()))
     throw UsageError("--rate_hz=" + text + ": one rate, or one for each of " +
@@ -64,6 +64,8 @@ void SetRates(const std::string& text, SimulationOptions& errors) {
 
 ScenarioOptions ScenarioFrom(const MovementFlags& flags, bool draw_errors) {
   RequireScenario(flags.scenario);
+  if (flags.seed < 0)
+    throw UsageError("--seed=" + std::to_string(flags.seed) + ": 0 or more was expected");
   ScenarioOptions scenario;
   scenario.name = flags.scenario;
   scenario.seed = static_cast<std::uint64_t>(flags.seed);

@@ -59,6 +59,8 @@ TEST_F(Usage, AnUnknownFlagIsRefusedWithItsNearestNeighbour) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("unknown flag --knot_spaceing_s"),
                                  HasSubstr("did you mean 'knot_spacing_s'?")));
+  EXPECT_THAT(Run({"reconstruct", "--method=zhou", "--soft_tissue_deg=3"}).err,
+              HasSubstr("see brachium reconstruct --method=zhou --help"));
 }
 
 TEST_F(Usage, FlagsOfOtherCommandsAndOfTheLibrariesAreRefused) {
@@ -134,7 +136,9 @@ TEST_F(Usage, SimulateListsItsScenariosAndRefusesWhatTheyAreNot) {
   EXPECT_THAT(refusal({"--scenario=circle", "--sensors=3"}), HasSubstr("2 or 4 was expected"));
   EXPECT_THAT(refusal({"--scenario=circle", "--rate_hz=100,60,25"}),
               HasSubstr("one for each of 2"));
-  EXPECT_THAT(refusal({"--scenario=circle", "--rate_hz=fast"}), HasSubstr("numbers were expected"));
+  for (const char* rate : {"--rate_hz=fast", "--rate_hz=0", "--rate_hz=-5"})
+    EXPECT_THAT(refusal({"--scenario=circle", rate}), HasSubstr("numbers above 0 were expected"));
+  EXPECT_THAT(refusal({"--scenario=circle", "--seed=-1"}), HasSubstr("0 or more was expected"));
   EXPECT_THAT(refusal({"--scenario=circle", "--shoulder_rms_m=2"}), HasSubstr("out of the arm's"));
 }
 
