@@ -2,7 +2,7 @@
 // on rigid sensors, on soft tissue and with drawn errors, both sides, some seeds, short trials too, all
 // with the maker's orientations; then a minute of the movements of everyday life spoiled in every way,
 // on rigid sensors and on two kinds of soft tissue. Prints a line for each mistake, with how often
-// something else was named; about a quarter of an hour.
+// something else was named; five seeds take ten minutes.
 //
 //   spoiled_trials [SEEDS] [FIRST]
 #include "tests/support/spoiled_trials.h"
