@@ -115,11 +115,12 @@ class WholeTrial {
     }
   }
 
+  // Where a sensor is missing for long, its turns settle slowly: hundreds of iterations.
   void Converge(ChainWorkspace& workspace) {
     if (progress_) progress_("whole trial", 0.9);
     for (int i = 0;; ++i) {
       Solve({.solver = Solver(),
-             .most_iterations = 200,
+             .most_iterations = 1000,
              .step_in_sd = 0.01,
              .threads = options_.threads},
             workspace);

@@ -53,6 +53,22 @@ Observations TwiceWithABreak(const Observations& once, double gap) {
   return twice;
 }
 
+// Its turns there settle slowly.
+TEST(BatchSmoother, SolvesATrialInWhichOneSensorIsMissingForLong) {
+  const Trial trial = Simulate(MakeScenario({.name = "daily_brisk", .duration = 90.0}), {}).trial;
+  Observations observations = trial.observations;
+  observations.recordings[1] = Without(observations.recordings[1], 20.0, 80.0);
+  SmootherOptions options;
+  options.knot_spacing_s = 0.2;
+  options.covariance = false;
+  const Estimate estimate = Smoothed(observations, options);
+  EXPECT_GT(estimate.diagnostics.iterations, 200);
+  const auto found = ForearmInUpperArm(estimate.q_WB),
+             truth = ForearmInUpperArm(trial.reference->q_VB);
+  EXPECT_LT(RmsAngle({found.end() - 500, found.end()}, {truth.end() - 500, truth.end()}),
+            0.5 * kDegree);
+}
+
 TEST(BatchSmoother, CrossesAGapOfMinutes) {
   const Trial trial = Brisk(16);
   const Estimate once = Smoothed(trial.observations);

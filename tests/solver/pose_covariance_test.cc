@@ -160,12 +160,7 @@ TEST(StandardDeviations, HoldWhatWasToldOfAMountingThatNothingInTheTrialTests) {
 TEST(StandardDeviations, GrowWhereTheFirstSegmentsSamplesAreMissing) {
   const Trial trial = Brisk(16);
   Observations observations = trial.observations;
-  Recording& upper = observations.recordings[0];
-  const Recording before = Cut(upper, 0.0, 7.5), after = Cut(upper, 8.5, 16.0);
-  upper = before;
-  upper.time.insert(upper.time.end(), after.time.begin(), after.time.end());
-  upper.gyr_S.insert(upper.gyr_S.end(), after.gyr_S.begin(), after.gyr_S.end());
-  upper.acc_S.insert(upper.acc_S.end(), after.acc_S.begin(), after.acc_S.end());
+  observations.recordings[0] = Without(observations.recordings[0], 7.5, 8.5);
   std::swap(observations.recordings[0], observations.recordings[1]);
   const Estimate estimate = BatchSmoother({}).Run(observations);
   const auto found = ForearmInUpperArm(estimate.q_WB),

@@ -245,10 +245,7 @@ TEST(SmoothingInStretches, BridgesAGapLongerThanAStretch) {
 TEST(SmoothingInStretches, GoOnAfterASensorWasAwayForLongerThanAStretch) {
   const Trial trial = Brisk(300);
   Observations observations = trial.observations;
-  Recording& forearm = observations.recordings[1];
-  const Recording after = Cut(forearm, 240.0, 300.0);
-  forearm = Cut(forearm, 0.0, 60.0);
-  Append(after, 0.0, forearm);
+  observations.recordings[1] = Without(observations.recordings[1], 60.0, 240.0);
   const Estimate estimate = Smoothed(observations, InStretches());
   const auto found = ForearmInUpperArm(estimate.q_WB),
              truth = ForearmInUpperArm(trial.reference->q_VB);

@@ -43,6 +43,16 @@ inline Recording Cut(const Recording& whole, double start, double end) {
   return part;
 }
 
+// A recording whose samples between two instants were lost [s].
+inline Recording Without(const Recording& whole, double from, double to) {
+  Recording left = Cut(whole, whole.time.front(), from);
+  const Recording after = Cut(whole, to, whole.time.back());
+  left.time.insert(left.time.end(), after.time.begin(), after.time.end());
+  left.gyr_S.insert(left.gyr_S.end(), after.gyr_S.begin(), after.gyr_S.end());
+  left.acc_S.insert(left.acc_S.end(), after.acc_S.begin(), after.acc_S.end());
+  return left;
+}
+
 inline std::vector<Eigen::Quaterniond> ForearmInUpperArm(const AttitudesBySegment& q_WB) {
   const auto& q_WU = q_WB.at(Segment::kUpperArm);
   const auto& q_WF = q_WB.at(Segment::kForearm);
