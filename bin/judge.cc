@@ -20,7 +20,8 @@ void RequireMadeFrom(const RunInfo& run, const std::string& estimate, const Tria
   if (run.inputs.empty()) return;
   for (const RecordingFacts& recording : folder.recordings) {
     const auto input = std::ranges::find(folder.inputs, recording.file, &InputFile::path);
-    if (std::ranges::find(run.inputs, input->sha256, &InputFile::sha256) == run.inputs.end())
+    if (input == folder.inputs.end() ||
+        std::ranges::find(run.inputs, input->sha256, &InputFile::sha256) == run.inputs.end())
       throw InputError(estimate, 0,
                        "was not made from " + recording.file + " in " + path +
                            " as it is now; expected the trial of the estimate, its recordings "

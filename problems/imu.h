@@ -45,8 +45,8 @@ struct Recording {
   std::vector<Eigen::Quaterniond> q_WS;  // fused orientation of the maker; empty when absent
   ImuNoise noise;
   std::optional<Mounting> mounting;  // absent: not calibrated
-  double period =
-      0.0;  // of the whole, where this is a part of a recording [s]; 0: of these samples
+  // Usual step of the whole, where this is a part of a recording [s]; 0: that of these samples.
+  double period = 0.0;
 
   std::size_t size() const { return time.size(); }
 };

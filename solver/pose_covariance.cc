@@ -132,7 +132,7 @@ MatrixXd PoseCovariance::Attitudes(int knot, double fraction) const {
     const double density = problem_.observations().recordings[U(sensor)].noise.gyro_density;
     const Preintegrated& interval = problem_.Interval(knot, sensor);
     P.diagonal().segment<3>(3 * sensor).array() +=
-        a * b * (interval.duration * density * density / 2 + problem_.GapVariance(interval));
+        a * b * (interval.duration * density * density / 2 + ArmProblem::GapVariance(interval));
   }
   return P;
 }
